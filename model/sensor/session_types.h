@@ -1,0 +1,109 @@
+#pragma once
+
+#include "apply_plan.h"
+#include "sensor_link.h"
+
+#include <QList>
+#include <QMap>
+#include <QString>
+
+namespace lds::sensor {
+
+using catalog::ItemId;
+using catalog::Value;
+
+/// Where a session stands with its sensor.
+enum class Connection : quint8 {
+    Closed,
+    Opening,
+    Reading,      ///< Open; the settings are being read for the first time (or again after a cut).
+    Ready,
+    Reconnecting, ///< Cut or not reached; tries again by itself. Values on screen are the last known ones.
+};
+
+/// Whether the sensor's memory holds what its RAM holds (§5.1). Saving is never automatic.
+enum class Saved : quint8 {
+    Unknown,  ///< After connecting nobody can tell; also after someone else changed a value.
+    Saved,
+    NotSaved, ///< Something was written since the last save: gone when the power goes.
+};
+
+/// A change a person wants and the sensor does not have yet.
+struct PendingEdit {
+    Value wanted = 0; ///< As it will be after rounding down to the resolution.
+    Value base = 0;   ///< What the sensor held when the edit was made or last confirmed.
+    bool conflict = false; ///< The sensor's value has moved away from base: somebody else changed it.
+};
+
+/// How one write of an apply went.
+struct WriteResult {
+    settings::Write write;
+    settings::Values before; ///< What was held for the written items.
+    ports::Status status = ports::Status::Unknown;
+    ports::Failure failure;
+    settings::Values readBack; ///< What the sensor held afterwards; empty when it could not be read.
+};
+
+/// One summary for a whole apply.
+struct ApplyReport {
+    QList<WriteResult> written;  ///< Done and read back as wanted: these edits are gone.
+    QList<WriteResult> refused;  ///< The sensor said no; the edits stay.
+    QList<WriteResult> different;///< Accepted, but reads back as another value; the edits stay.
+    QList<WriteResult> unknown;  ///< No answer and no reading since: never repeated, edits stay.
+    QList<ItemId> notTried;      ///< Edits left alone: cancelled, connection lost, or no order of writes.
+    QList<ItemId> changedByItself; ///< Items the sensor changed along the way (trigger mode, §4.3.4).
+    bool cancelled = false;
+    bool connectionLost = false;
+    std::optional<settings::PlanFailure> planFailure; ///< Nothing was written: the goal breaks a rule.
+    bool allDone() const
+    {
+        return refused.isEmpty() && different.isEmpty() && unknown.isEmpty() && notTried.isEmpty()
+            && !cancelled && !connectionLost && !planFailure;
+    }
+};
+
+/// How a command or switch (save, reset, bank, laser, ...) went.
+struct CommandReport {
+    ItemId item = ItemId::SetValueSaving;
+    Value value = 0;
+    ports::Status status = ports::Status::Unknown;
+    ports::Failure failure;
+};
+
+/// Someone other than this session changed the sensor.
+struct ExternalChange {
+    ItemId item;
+    Value before;
+    Value after;
+};
+
+/// Held by whoever may write: an apply, a procedure. Released when destroyed.
+class LeaseDesk;
+class Lease {
+public:
+    Lease() = default;
+    Lease(Lease&& other) noexcept;
+    Lease& operator=(Lease&& other) noexcept;
+    ~Lease();
+    bool isHeld() const { return m_desk != nullptr; }
+    void release();
+
+private:
+    friend class LeaseDesk;
+    explicit Lease(LeaseDesk* desk) : m_desk(desk) {}
+    LeaseDesk* m_desk = nullptr;
+};
+
+/// Hands out one lease at a time. Must outlive its leases.
+class LeaseDesk {
+public:
+    /// An unheld Lease when somebody else has it.
+    Lease acquire();
+    bool isTaken() const { return m_taken; }
+
+private:
+    friend class Lease;
+    bool m_taken = false;
+};
+
+} // namespace lds::sensor

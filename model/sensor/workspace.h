@@ -1,0 +1,39 @@
+#pragma once
+
+#include "sensor_session.h"
+
+#include <QObject>
+
+namespace lds::sensor {
+
+/// The sensors a person has on the table, in their order, and the one they look at.
+class Workspace final : public QObject {
+    Q_OBJECT
+
+public:
+    Workspace(ports::LinkFactory& links, ports::Scheduler& scheduler, QObject* parent = nullptr);
+    ~Workspace() override;
+
+    /// Adds a session for the URL, makes it current and returns it. It is not opened yet. A URL that is
+    /// there already (same protocol, host and port) makes that session current and returns it instead.
+    SensorSession* add(const ports::ConnectionUrl& url, const QString& name = {});
+    void remove(SensorSession* session); ///< Closes and deletes; the neighbour becomes current.
+    const QList<SensorSession*>& sessions() const;
+    SensorSession* current() const;      ///< nullptr when there are none.
+    void setCurrent(SensorSession* session);
+    int pendingCount() const;            ///< Over all sensors.
+    int unsavedCount() const;            ///< Sensors with Saved::NotSaved.
+
+Q_SIGNALS:
+    void added(lds::sensor::SensorSession* session);
+    void aboutToRemove(lds::sensor::SensorSession* session);
+    void currentChanged(lds::sensor::SensorSession* session);
+
+private:
+    ports::LinkFactory& m_links;
+    ports::Scheduler& m_scheduler;
+    QList<SensorSession*> m_sessions;
+    SensorSession* m_current = nullptr;
+};
+
+} // namespace lds::sensor
