@@ -1,0 +1,52 @@
+#include "fake_link.h"
+
+#include <QCoreApplication>
+
+namespace lds::support {
+
+FakeLink::FakeLink(std::shared_ptr<FakeSensor> sensor, ports::Scheduler& scheduler, bool viewOnly)
+    : m_sensor(std::move(sensor))
+    , m_scheduler(scheduler)
+    , m_viewOnly(viewOnly)
+{}
+
+FakeLink::~FakeLink() = default;
+
+bool FakeLink::reaches(ItemId item) const
+{
+    return catalog::hlG2(item).modbus.has_value() && !m_sensor->m_hidden.contains(item);
+}
+
+void FakeLink::doOpen() { m_sensor->opening(this); }
+
+void FakeLink::doClose() { m_sensor->closing(); }
+
+void FakeLink::doSubmit(const ports::Request& request) { m_sensor->arrived(request); }
+
+void FakeLink::doPoll(int intervalMs) { m_sensor->m_pollIntervalMs = intervalMs; }
+
+ports::LinkPointer FakeLinkFactory::create(const ports::ConnectionUrl& url)
+{
+    ++m_created;
+    return ports::LinkPointer(new FakeLink(find(url), m_scheduler, url.viewOnly));
+}
+
+FakeSensor& FakeLinkFactory::sensor(const ports::ConnectionUrl& url) { return *find(url); }
+
+std::shared_ptr<FakeSensor> FakeLinkFactory::find(const ports::ConnectionUrl& url)
+{
+    auto& sensor = m_sensors[QStringLiteral("%1:%2").arg(url.host).arg(url.port)];
+    if (!sensor)
+        sensor = std::make_shared<FakeSensor>(url.sensor.value_or(catalog::SensorModel::HlG203));
+    return sensor;
+}
+
+void settle()
+{
+    // Posted events of posted events come along: sendPostedEvents works until none is left.
+    QCoreApplication::sendPostedEvents();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QCoreApplication::sendPostedEvents();
+}
+
+} // namespace lds::support
