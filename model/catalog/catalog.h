@@ -2,6 +2,7 @@
 
 #include "setting_item.h"
 
+#include <QHash>
 #include <QLatin1StringView>
 #include <QStringView>
 
@@ -75,6 +76,7 @@ private:
     std::span<const Coil> m_coils;
     std::span<const ModelDescription> m_models;
     std::span<const int> m_prohibited;
+    QHash<quint16, const SettingItem*> m_byAddress; ///< Built once; a server asks for every register it is read.
 };
 
 /// Shorthand for Catalog::hlG2().item(id).

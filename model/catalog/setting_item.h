@@ -96,9 +96,9 @@ struct SettingItem {
     bool hasDefault = true;                ///< False when the manual names no default (commands, status).
     std::span<const Choice> choices = {};
     WriteGroup group = WriteGroup::None;
-    std::optional<ModbusBinding> modbus;
-    std::optional<SlmpBinding> slmp;
-    std::optional<EipBinding> eip;
+    std::optional<ModbusBinding> modbus = {};
+    std::optional<SlmpBinding> slmp = {};
+    std::optional<EipBinding> eip = {};
 
     constexpr const Limits& limitsFor(SensorModel model) const { return limits[std::size_t(model)]; }
     constexpr bool isReadable() const { return access == Access::Read || access == Access::ReadWrite; }
