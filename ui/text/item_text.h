@@ -18,7 +18,8 @@ QString choiceName(const catalog::Choice& choice);
 /// An unknown choice code reads "7 (unknown)".
 QString displayValue(const catalog::SettingItem& item, catalog::SensorModel model, catalog::Value value);
 /// The same with its unit: "+1.7500 mm".
-QString displayValueWithUnit(const catalog::SettingItem& item, catalog::SensorModel model, catalog::Value value);
+QString displayValueWithUnit(const catalog::SettingItem& item, catalog::SensorModel model,
+                             catalog::Value value);
 /// "−9.5000 … +9.5000", "1 … 100"; for a choice its names, shortened with "…" when long.
 QString rangeText(const catalog::SettingItem& item, catalog::SensorModel model);
 QString defaultText(const catalog::SettingItem& item, catalog::SensorModel model);
