@@ -28,8 +28,12 @@ public:
     void undo(const settings::Values& held);
     void redo(const settings::Values& held);
 
-    /// The sensor holds other values now: marks conflicts, drops edits that have come true.
+    /// The sensor holds other values now: marks conflicts, drops edits that have come true. An edit of an
+    /// item that each bank has its own of belongs to the bank it was made for: while another bank runs it
+    /// is in conflict and never "true".
     void rebase(const settings::Values& held);
+    /// This program changed the items itself: their edits follow without a conflict.
+    void follow(const QList<ItemId>& items, const settings::Values& held);
     /// An applied edit is gone for good: undo must not write it again by surprise, so history forgets it.
     void applied(ItemId item);
     /// The person has seen the conflict and keeps the edit: its base is now what the sensor holds.
@@ -38,8 +42,10 @@ public:
     settings::Values wantedValues() const;
 
 private:
-    void push();
-    void settle(const settings::Values& held);
+    void replace(Edits edits); ///< One undoable step; none when nothing differs.
+    static Edits settled(Edits edits, const settings::Values& held);
+    static bool wantSame(const Edits& left, const Edits& right);
+    void forgetEmptySteps(const settings::Values& held);
 
     Edits m_edits;
     QList<Edits> m_undo; ///< Whole states: an edit list is small and implicitly shared.

@@ -3,6 +3,9 @@
 #include "apply_plan.h"
 #include "sensor_link.h"
 
+#include <functional>
+#include <memory>
+#include <optional>
 #include <QList>
 #include <QMap>
 #include <QString>
@@ -16,29 +19,33 @@ using catalog::Value;
 enum class Connection : quint8 {
     Closed,
     Opening,
-    Reading,      ///< Open; the settings are being read for the first time (or again after a cut).
+    Reading, ///< Open; the settings are being read for the first time (or again after a cut).
     Ready,
     Reconnecting, ///< Cut or not reached; tries again by itself. Values on screen are the last known ones.
 };
 
 /// Whether the sensor's memory holds what its RAM holds (§5.1). Saving is never automatic.
 enum class Saved : quint8 {
-    Unknown,  ///< After connecting nobody can tell; also after someone else changed a value.
+    Unknown, ///< After connecting nobody can tell; also after someone else changed a value.
     Saved,
     NotSaved, ///< Something was written since the last save: gone when the power goes.
 };
 
 /// A change a person wants and the sensor does not have yet.
 struct PendingEdit {
-    Value wanted = 0; ///< As it will be after rounding down to the resolution.
-    Value base = 0;   ///< What the sensor held when the edit was made or last confirmed.
-    bool conflict = false; ///< The sensor's value has moved away from base: somebody else changed it.
+    Value wanted = 0;          ///< As it will be after rounding down to the resolution.
+    Value base = 0;            ///< What the sensor held when the edit was made or last confirmed.
+    bool conflict = false;     ///< The sensor's value has moved away from base, or another bank is running:
+                               ///< such an edit is not written before keepMine().
+    std::optional<Value> bank; ///< The bank that ran when it was made, for an item each bank has its own of.
+    bool baseKnown = true;     ///< False while the sensor has not been read yet; base then means nothing.
+    friend bool operator==(const PendingEdit&, const PendingEdit&) = default;
 };
 
 /// How one write of an apply went.
 struct WriteResult {
     settings::Write write;
-    settings::Values before; ///< What was held for the written items.
+    settings::Values before; ///< What was held for the written items when the apply began.
     ports::Status status = ports::Status::Unknown;
     ports::Failure failure;
     settings::Values readBack; ///< What the sensor held afterwards; empty when it could not be read.
@@ -46,19 +53,23 @@ struct WriteResult {
 
 /// One summary for a whole apply.
 struct ApplyReport {
-    QList<WriteResult> written;  ///< Done and read back as wanted: these edits are gone.
-    QList<WriteResult> refused;  ///< The sensor said no; the edits stay.
-    QList<WriteResult> different;///< Accepted, but reads back as another value; the edits stay.
-    QList<WriteResult> unknown;  ///< No answer and no reading since: never repeated, edits stay.
-    QList<ItemId> notTried;      ///< Edits left alone: cancelled, connection lost, or no order of writes.
+    QList<WriteResult> written;   ///< Done and read back as wanted: these edits are gone.
+    QList<WriteResult> refused;   ///< The sensor said no; the edits stay.
+    QList<WriteResult> different; ///< Accepted, but reads back as another value; the edits stay.
+    /// Whether it was carried out is not known, or it was not answered and the sensor holds another value
+    /// (readBack says which). Never repeated; the edits stay.
+    QList<WriteResult> unknown;
+    QList<ItemId> notTried; ///< Edits left alone: cancelled, connection lost, or no order of writes.
+    QList<ItemId>
+        inConflict; ///< Edits left alone because the sensor's value has moved: keepMine() or revert().
     QList<ItemId> changedByItself; ///< Items the sensor changed along the way (trigger mode, §4.3.4).
     bool cancelled = false;
     bool connectionLost = false;
     std::optional<settings::PlanFailure> planFailure; ///< Nothing was written: the goal breaks a rule.
     bool allDone() const
     {
-        return refused.isEmpty() && different.isEmpty() && unknown.isEmpty() && notTried.isEmpty()
-            && !cancelled && !connectionLost && !planFailure;
+        return refused.isEmpty() && different.isEmpty() && unknown.isEmpty() && notTried.isEmpty() &&
+               inConflict.isEmpty() && !cancelled && !connectionLost && !planFailure;
     }
 };
 
@@ -90,20 +101,31 @@ public:
 
 private:
     friend class LeaseDesk;
-    explicit Lease(LeaseDesk* desk) : m_desk(desk) {}
-    LeaseDesk* m_desk = nullptr;
+    struct State {
+        bool taken = false;
+        std::function<void()> changed;
+    };
+    explicit Lease(std::shared_ptr<State> desk)
+        : m_desk(std::move(desk))
+    {}
+    std::shared_ptr<State> m_desk;
 };
 
-/// Hands out one lease at a time. Must outlive its leases.
+/// Hands out one lease at a time.
 class LeaseDesk {
 public:
+    /// `changed` runs whenever the lease is taken or given back.
+    explicit LeaseDesk(std::function<void()> changed = {});
+    ~LeaseDesk();
+    LeaseDesk(const LeaseDesk&) = delete;
+    LeaseDesk& operator=(const LeaseDesk&) = delete;
+
     /// An unheld Lease when somebody else has it.
     Lease acquire();
-    bool isTaken() const { return m_taken; }
+    bool isTaken() const { return m_state->taken; }
 
 private:
-    friend class Lease;
-    bool m_taken = false;
+    std::shared_ptr<Lease::State> m_state;
 };
 
 } // namespace lds::sensor

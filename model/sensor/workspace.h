@@ -19,10 +19,10 @@ public:
     SensorSession* add(const ports::ConnectionUrl& url, const QString& name = {});
     void remove(SensorSession* session); ///< Closes and deletes; the neighbour becomes current.
     const QList<SensorSession*>& sessions() const;
-    SensorSession* current() const;      ///< nullptr when there are none.
+    SensorSession* current() const; ///< nullptr when there are none.
     void setCurrent(SensorSession* session);
-    int pendingCount() const;            ///< Over all sensors.
-    int unsavedCount() const;            ///< Sensors with Saved::NotSaved.
+    int pendingCount() const; ///< Over all sensors.
+    int unsavedCount() const; ///< Sensors with Saved::NotSaved.
 
 Q_SIGNALS:
     void added(lds::sensor::SensorSession* session);
