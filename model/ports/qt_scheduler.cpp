@@ -2,14 +2,62 @@
 
 #include <chrono>
 #include <QDateTime>
+#include <QHash>
+#include <QPointer>
+#include <QThread>
+#include <QTimerEvent>
 
 namespace lds::ports {
 
-QtScheduler::~QtScheduler()
-{
-    for (QTimer* timer : std::as_const(m_timers))
-        delete timer;
-}
+/// One object for all timers: nothing is allocated for deleteLater(), so nothing outlives the scheduler.
+class QtScheduler::Timers final : public QObject {
+public:
+    void start(TimerId id, int delayMs, QObject* owner, std::function<void()> callback)
+    {
+        const int native = startTimer(delayMs, Qt::PreciseTimer);
+        m_entries.insert(native, Entry{id, owner, std::move(callback)});
+        m_natives.insert(id, native);
+    }
+
+    void cancel(TimerId id)
+    {
+        const auto native = m_natives.constFind(id);
+        if (native == m_natives.cend())
+            return;
+        take(*native);
+    }
+
+protected:
+    void timerEvent(QTimerEvent* event) override
+    {
+        // Taken out first: the callback may start and cancel timers.
+        const Entry entry = take(event->timerId());
+        if (entry.owner)
+            entry.callback();
+    }
+
+private:
+    struct Entry {
+        TimerId id = 0;
+        QPointer<QObject> owner;
+        std::function<void()> callback;
+    };
+
+    Entry take(int native)
+    {
+        killTimer(native);
+        Entry entry = m_entries.take(native);
+        m_natives.remove(entry.id);
+        return entry;
+    }
+
+    QHash<int, Entry> m_entries;
+    QHash<TimerId, int> m_natives;
+};
+
+QtScheduler::QtScheduler() = default;
+
+QtScheduler::~QtScheduler() { Q_ASSERT(!m_timers || m_timers->thread() == QThread::currentThread()); }
 
 qint64 QtScheduler::nowNs() const
 {
@@ -21,27 +69,21 @@ qint64 QtScheduler::wallMs() const { return QDateTime::currentMSecsSinceEpoch();
 
 Scheduler::TimerId QtScheduler::after(int delayMs, QObject* owner, std::function<void()> callback)
 {
+    if (!m_timers)
+        m_timers = std::make_unique<Timers>();
+    Q_ASSERT(m_timers->thread() == QThread::currentThread());
+    Q_ASSERT(owner && owner->thread() == QThread::currentThread());
     const TimerId id = m_next++;
-    auto* timer = new QTimer;
-    timer->setSingleShot(true);
-    timer->setTimerType(Qt::PreciseTimer);
-    m_timers.insert(id, timer);
-    QObject::connect(timer, &QTimer::timeout, owner, [this, id, callback = std::move(callback)] {
-        cancel(id);
-        callback();
-    });
-    // The owner's death disconnects the callback; the timer itself must go then, too.
-    QObject::connect(owner, &QObject::destroyed, timer, [this, id] { cancel(id); });
-    timer->start(delayMs);
+    m_timers->start(id, qMax(0, delayMs), owner, std::move(callback));
     return id;
 }
 
 void QtScheduler::cancel(TimerId timer)
 {
-    if (QTimer* found = m_timers.take(timer)) {
-        found->stop();
-        found->deleteLater();
-    }
+    if (!m_timers)
+        return;
+    Q_ASSERT(m_timers->thread() == QThread::currentThread());
+    m_timers->cancel(timer);
 }
 
 } // namespace lds::ports

@@ -1,0 +1,127 @@
+#include "frame_recorder.h"
+
+#include "modbus_tcp_framing.h"
+
+namespace lds::modbus {
+
+using ports::Direction;
+using ports::FrameMeaning;
+
+namespace {
+
+QString peerOf(const ports::ConnectionUrl& url)
+{
+    ports::ConnectionUrl bare;
+    bare.protocol = url.protocol;
+    bare.host = url.host;
+    bare.port = url.port;
+    return bare.toString();
+}
+
+bool isWrite(const Request& request)
+{
+    return request.function == Function::WriteSingleRegister ||
+           request.function == Function::WriteMultipleRegisters;
+}
+
+} // namespace
+
+FrameRecorder::FrameRecorder(ports::FrameLog& log, const ports::Scheduler& clock,
+                             const ports::ConnectionUrl& url)
+    : m_log(log)
+    , m_clock(clock)
+    , m_unit(url.unit)
+    , m_host(url.host)
+    , m_port(url.port)
+    , m_peer(peerOf(url))
+{}
+
+void FrameRecorder::connecting()
+{
+    record(Direction::Sent, FrameMeaning::Connecting, {m_host, QString::number(m_port)});
+}
+
+void FrameRecorder::connected() { record(Direction::Received, FrameMeaning::Connected, {}); }
+
+void FrameRecorder::disconnected(const QString& reason)
+{
+    record(Direction::Received, FrameMeaning::Disconnected, {reason});
+}
+
+void FrameRecorder::sent(const Request& request, quint16 transaction)
+{
+    QStringList arguments = range(request);
+    if (isWrite(request))
+        arguments.append(values(request, request.registers));
+    record(Direction::Sent, isWrite(request) ? FrameMeaning::Write : FrameMeaning::Read, arguments,
+           encodeFrame(transaction, m_unit, encodeRequest(request)), -1, headerSize);
+}
+
+void FrameRecorder::answered(const Request& request, const Response& response, const QByteArray& bytes,
+                             qint64 roundTripNs)
+{
+    QStringList arguments = range(request);
+    if (!isWrite(request))
+        arguments.append(values(request, response.registers));
+    record(Direction::Received, isWrite(request) ? FrameMeaning::Written : FrameMeaning::Answer, arguments,
+           bytes, roundTripNs);
+}
+
+void FrameRecorder::refused(const Request& request, quint8 exceptionCode, const QByteArray& bytes,
+                            qint64 roundTripNs)
+{
+    record(Direction::Received, FrameMeaning::Refused,
+           {QString::number(int(request.function)), QString::number(exceptionCode)}, bytes, roundTripNs);
+}
+
+void FrameRecorder::malformed(const QString& what, const QByteArray& bytes, qint64 roundTripNs)
+{
+    record(Direction::Received, FrameMeaning::Malformed, {what}, bytes, roundTripNs);
+}
+
+void FrameRecorder::noAnswer(qint64 waitedNs)
+{
+    record(Direction::Received, FrameMeaning::NoAnswer, {QString::number(waitedNs / 1'000'000)});
+}
+
+void FrameRecorder::record(Direction direction, FrameMeaning meaning, const QStringList& arguments,
+                           const QByteArray& bytes, qint64 roundTripNs, int reconstructedPrefix)
+{
+    ports::Frame frame;
+    frame.monotonicNs = m_clock.nowNs();
+    frame.wallMs = m_clock.wallMs();
+    frame.direction = direction;
+    frame.meaning = meaning;
+    frame.arguments = arguments;
+    frame.bytes = bytes;
+    frame.reconstructedPrefix = reconstructedPrefix;
+    frame.roundTripNs = roundTripNs;
+    frame.protocol = QStringLiteral("Modbus TCP");
+    frame.peer = m_peer;
+    m_log.record(frame);
+}
+
+QStringList FrameRecorder::range(const Request& request) const
+{
+    return {QString::number(printedRegister(request.address)),
+            QString::number(printedRegister(request.address + request.count - 1))};
+}
+
+QString FrameRecorder::values(const Request& request, const QList<quint16>& registers) const
+{
+    QString text;
+    for (const catalog::SettingItem& item : catalog::Catalog::hlG2().items()) {
+        if (!item.modbus || (!isWrite(request) && !item.isReadable()))
+            continue;
+        const int index = item.modbus->address() - request.address;
+        if (index < 0 || index + item.registerCount() > registers.size())
+            continue;
+        if (!text.isEmpty())
+            text += QLatin1String(", ");
+        text += QLatin1String(item.key) + QLatin1Char('=');
+        text += QString::number(decodeItem(item, registers, index, m_lowWordFirst));
+    }
+    return text;
+}
+
+} // namespace lds::modbus

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "connection_url.h"
+#include "frame.h"
+#include "item_registers.h"
+#include "modbus_pdu.h"
+#include "scheduler.h"
+
+namespace lds::modbus {
+
+/// Puts what one connection sends and receives into the frame log, with its meaning (ports::FrameMeaning).
+///
+/// QModbus does not show what it sends: the 7-byte header of a sent message is rebuilt, and the frame says
+/// so. What is received was seen whole. Values are told as "key=value" in the units of the wire.
+class FrameRecorder {
+public:
+    FrameRecorder(ports::FrameLog& log, const ports::Scheduler& clock, const ports::ConnectionUrl& url);
+
+    /// Known after the probe; until then values are told as if low word first.
+    void setLowWordFirst(bool lowWordFirst) { m_lowWordFirst = lowWordFirst; }
+
+    void connecting();
+    void connected();
+    void disconnected(const QString& reason);
+    void sent(const Request& request, quint16 transaction);
+    void answered(const Request& request, const Response& response, const QByteArray& bytes,
+                  qint64 roundTripNs);
+    void refused(const Request& request, quint8 exceptionCode, const QByteArray& bytes, qint64 roundTripNs);
+    /// `what` is a stable word: "short", "length", "function", "echo", "unit", "transaction", "header".
+    void malformed(const QString& what, const QByteArray& bytes, qint64 roundTripNs = -1);
+    void noAnswer(qint64 waitedNs);
+
+private:
+    void record(ports::Direction direction, ports::FrameMeaning meaning, const QStringList& arguments,
+                const QByteArray& bytes = {}, qint64 roundTripNs = -1, int reconstructedPrefix = 0);
+    QStringList range(const Request& request) const;
+    QString values(const Request& request, const QList<quint16>& registers) const;
+
+    ports::FrameLog& m_log;
+    const ports::Scheduler& m_clock;
+    const quint8 m_unit;
+    const QString m_host;
+    const quint16 m_port;
+    const QString m_peer;
+    bool m_lowWordFirst = true;
+};
+
+} // namespace lds::modbus

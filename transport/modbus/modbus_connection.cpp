@@ -1,0 +1,278 @@
+#include "modbus_connection.h"
+
+#include <QModbusReply>
+#include <QNetworkProxy>
+
+namespace lds::modbus {
+
+namespace {
+
+using ports::Failure;
+using ports::FailureCode;
+using ports::OpenFailure;
+
+/// Long beyond every timeout of ours, which runs on the injected clock.
+constexpr int qmodbusTimeoutMs = 24 * 60 * 60 * 1000;
+
+OpenFailure openFailureOf(QAbstractSocket::SocketError error)
+{
+    switch (error) {
+    case QAbstractSocket::HostNotFoundError:
+        return OpenFailure::HostNotFound;
+    case QAbstractSocket::ConnectionRefusedError:
+        return OpenFailure::Refused;
+    default:
+        return OpenFailure::NoAnswer; // No route, no network: nobody answers.
+    }
+}
+
+FailureCode refusalOf(quint8 exceptionCode)
+{
+    switch (Exception(exceptionCode)) {
+    case Exception::FunctionCode:
+        return FailureCode::FunctionNotSupported;
+    case Exception::Address:
+        return FailureCode::AddressRefused;
+    case Exception::Data:
+        return FailureCode::ValueRefused;
+    case Exception::Other:
+        return FailureCode::NotReady;
+    }
+    return FailureCode::OtherRefusal;
+}
+
+QString wordOf(ResponseError error)
+{
+    switch (error) {
+    case ResponseError::Empty:
+        return QStringLiteral("short");
+    case ResponseError::Function:
+        return QStringLiteral("function");
+    case ResponseError::Length:
+        return QStringLiteral("length");
+    case ResponseError::Echo:
+        return QStringLiteral("echo");
+    case ResponseError::Refused:
+        break;
+    }
+    return QString();
+}
+
+Failure malformed(const QString& what) { return Failure{FailureCode::Malformed, 0, what}; }
+
+} // namespace
+
+ModbusConnection::ModbusConnection(const ports::ConnectionUrl& url, ports::Scheduler& scheduler,
+                                   FrameRecorder& recorder)
+    : m_url(url)
+    , m_scheduler(scheduler)
+    , m_recorder(recorder)
+{}
+
+ModbusConnection::~ModbusConnection() { close(); }
+
+void ModbusConnection::open(int timeoutMs)
+{
+    Q_ASSERT(m_state == State::Closed);
+    m_state = State::Opening;
+    m_nextTransaction = 0;
+    m_reader.clear();
+    m_client = new QModbusTcpClient(this);
+    m_client->setNumberOfRetries(0); // A repeated "teach this point" is a wrong window.
+    m_client->setTimeout(qmodbusTimeoutMs);
+    const bool bare6 = m_url.host.contains(QLatin1Char(':'));
+    m_client->setConnectionParameter(QModbusDevice::NetworkAddressParameter,
+                                     bare6 ? QLatin1Char('[') + m_url.host + QLatin1Char(']') : m_url.host);
+    m_client->setConnectionParameter(QModbusDevice::NetworkPortParameter, m_url.port);
+    socket()->setProxy(QNetworkProxy::NoProxy); // A sensor is on the machine's network, never behind a proxy.
+    connect(m_client, &QModbusDevice::stateChanged, this, &ModbusConnection::onStateChanged);
+    // Connected after QModbus's own slot, so it runs after it: what that slot read and matched is there.
+    connect(socket(), &QIODevice::readyRead, this, &ModbusConnection::onReadyRead);
+
+    m_recorder.connecting();
+    m_openTimeout = m_scheduler.after(timeoutMs, this, [this, timeoutMs] {
+        failOpening(OpenFailure::NoAnswer, QStringLiteral("no connection within %1 ms").arg(timeoutMs));
+    });
+    if (!m_client->connectDevice() && m_state == State::Opening)
+        failOpening(OpenFailure::HostNotFound, m_client->errorString());
+}
+
+void ModbusConnection::close(const QString& reason)
+{
+    if (m_state == State::Closed)
+        return;
+    if (m_exchange)
+        m_scheduler.cancel(m_exchange->timeout);
+    m_exchange.reset();
+    release(reason);
+}
+
+void ModbusConnection::send(const Request& request, int timeoutMs, const Ended& ended)
+{
+    Q_ASSERT(isOpen() && !isBusy());
+    m_exchange = Pending{request, ended, m_nextTransaction, m_scheduler.nowNs(), 0};
+    const QByteArray pdu = encodeRequest(request);
+    const QModbusRequest raw(QModbusPdu::FunctionCode(request.function), pdu.sliced(1));
+    m_recorder.sent(request, m_nextTransaction);
+    m_reply = m_client->sendRawRequest(raw, m_url.unit);
+    if (!m_reply) {
+        stamp();
+        drop(m_client->errorString(), Failure{FailureCode::ConnectionLost, 0, m_client->errorString()});
+        return;
+    }
+    ++m_nextTransaction;
+    m_exchange->timeout = m_scheduler.after(timeoutMs, this, [this] { onTimeout(); });
+}
+
+void ModbusConnection::onStateChanged(QModbusDevice::State state)
+{
+    if (state == QModbusDevice::ConnectedState)
+        onConnected();
+    else if (state == QModbusDevice::UnconnectedState)
+        onDisconnected();
+}
+
+void ModbusConnection::onConnected()
+{
+    m_scheduler.cancel(m_openTimeout);
+    m_state = State::Open;
+    socket()->startTransaction(); // See takeWhatQModbusRead().
+    m_recorder.connected();
+    Q_EMIT opened();
+}
+
+void ModbusConnection::onDisconnected()
+{
+    const QString words = socket()->errorString();
+    if (m_state == State::Opening)
+        failOpening(openFailureOf(socket()->error()), words);
+    else if (m_state == State::Open) {
+        stamp();
+        drop(words, Failure{FailureCode::ConnectionLost, 0, words});
+    }
+}
+
+void ModbusConnection::failOpening(OpenFailure failure, const QString& detail)
+{
+    release(detail);
+    Q_EMIT failed(failure, detail);
+}
+
+void ModbusConnection::onReadyRead()
+{
+    if (!isOpen())
+        return;
+    stamp();
+    m_reader.append(takeWhatQModbusRead());
+    while (isOpen()) {
+        const auto frame = m_reader.next();
+        if (!frame) {
+            const QString what = QStringLiteral("header");
+            m_recorder.malformed(what, m_reader.incomplete());
+            drop(QStringLiteral("what arrived is not Modbus TCP"), malformed(what));
+            return;
+        }
+        if (!*frame)
+            return;
+        handle(**frame);
+    }
+}
+
+/// The bytes QModbus has just read, taken a second time. Every read on the socket is part of a transaction
+/// of QIODevice, which keeps the bytes until it is rolled back.
+QByteArray ModbusConnection::takeWhatQModbusRead()
+{
+    QTcpSocket* const device = socket();
+    const qint64 unread = device->bytesAvailable();
+    device->rollbackTransaction();
+    const QByteArray bytes = device->read(device->bytesAvailable() - unread);
+    device->startTransaction();
+    return bytes;
+}
+
+void ModbusConnection::handle(const ReceivedFrame& frame)
+{
+    // Late, or sent without being asked for: even an answer to a request that has not gone out yet.
+    if (!m_exchange || frame.header.transaction != m_exchange->transaction || !m_reply ||
+        !m_reply->isFinished()) {
+        m_recorder.malformed(QStringLiteral("transaction"), frame.bytes);
+        return;
+    }
+    const Request& request = m_exchange->request;
+    const qint64 roundTripNs = m_stampNs - m_exchange->sentNs;
+    if (frame.header.unit != m_url.unit) { // §5.2.3: returned as it was sent
+        m_recorder.malformed(QStringLiteral("unit"), frame.bytes, roundTripNs);
+        end(tl::unexpected(malformed(QStringLiteral("unit"))));
+        return;
+    }
+    const auto response = decodeResponse(request, frame.pdu());
+    if (response) {
+        m_recorder.answered(request, *response, frame.bytes, roundTripNs);
+        end(*response);
+    } else if (response.error().error == ResponseError::Refused) {
+        const quint8 code = response.error().exceptionCode;
+        m_recorder.refused(request, code, frame.bytes, roundTripNs);
+        end(tl::unexpected(Failure{refusalOf(code), code, QString()}));
+    } else {
+        const QString what = wordOf(response.error().error);
+        m_recorder.malformed(what, frame.bytes, roundTripNs);
+        end(tl::unexpected(malformed(what)));
+    }
+}
+
+void ModbusConnection::onTimeout()
+{
+    stamp();
+    const qint64 waitedNs = m_stampNs - m_exchange->sentNs;
+    if (m_reader.incomplete().isEmpty()) {
+        m_recorder.noAnswer(waitedNs);
+        const QString detail = QStringLiteral("no answer within %1 ms").arg(waitedNs / 1'000'000);
+        end(tl::unexpected(Failure{FailureCode::NoAnswer, 0, detail}));
+        return;
+    }
+    // The rest may come in front of the next answer, or never: whatever follows would be read askew.
+    const QString what = QStringLiteral("short");
+    m_recorder.malformed(what, m_reader.incomplete(), waitedNs);
+    drop(QStringLiteral("an answer was cut short"), malformed(what));
+}
+
+void ModbusConnection::end(tl::expected<Response, Failure> result)
+{
+    const Pending exchange = *std::exchange(m_exchange, std::nullopt);
+    m_scheduler.cancel(exchange.timeout);
+    // At once: QModbus lets a reply that is still alive finish a second time when the connection closes.
+    delete m_reply;
+    exchange.ended(Exchange{std::move(result), m_stampNs, m_stampWallMs});
+}
+
+/// Taken before anything is decoded or told: a measurement carries this time.
+void ModbusConnection::stamp()
+{
+    m_stampNs = m_scheduler.nowNs();
+    m_stampWallMs = m_scheduler.wallMs();
+}
+
+void ModbusConnection::drop(const QString& reason, const Failure& failure)
+{
+    release(reason);
+    if (m_exchange)
+        end(tl::unexpected(failure));
+    Q_EMIT lost(reason);
+}
+
+void ModbusConnection::release(const QString& reason)
+{
+    m_state = State::Closed;
+    m_scheduler.cancel(m_openTimeout);
+    delete m_reply;
+    m_client->disconnect(this);
+    socket()->disconnect(this);
+    m_client->disconnectDevice();
+    m_client->deleteLater(); // Often in the middle of one of its signals.
+    m_client = nullptr;
+    m_recorder.disconnected(reason);
+}
+
+QTcpSocket* ModbusConnection::socket() const { return qobject_cast<QTcpSocket*>(m_client->device()); }
+
+} // namespace lds::modbus
