@@ -2,9 +2,12 @@
 
 #include "sensor_session.h"
 
+#include <memory>
 #include <QWidget>
 
 namespace lds::ui {
+
+struct ReadoutState;
 
 /// The sensor's own display, always in sight: value in the chosen digits, LASER, HI/GO/LO, HOLD, ZERO,
 /// bank, hold-mode letter, KEYLOCK, ----, ±OVER, ALARM (§2.2), received light, rate and losses.
@@ -20,11 +23,17 @@ public:
     QSize minimumSizeHint() const override;
     /// What a screen reader says: "+1.2345 mm, GO, laser on, bank 1".
     QString spokenText() const;
+    /// What is shown now.
+    const ReadoutState& state() const;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void timerEvent(QTimerEvent* event) override;
 
 private:
+    void refresh();
+    void refreshSoon();
+
     struct Private;
     std::unique_ptr<Private> d;
 };
