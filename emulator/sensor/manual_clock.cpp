@@ -1,0 +1,36 @@
+#include "manual_clock.h"
+
+#include <algorithm>
+
+namespace lds::emulator {
+
+namespace {
+constexpr qint64 nanosecondsPerMillisecond = 1'000'000;
+}
+
+EmulatorClock::TimerId ManualClock::after(int delayMs, QObject* owner, std::function<void()> callback)
+{
+    const TimerId id = ++m_last;
+    m_timers.emplace(Key{m_nowNs + delayMs * nanosecondsPerMillisecond, id},
+                     Timer{owner, std::move(callback)});
+    return id;
+}
+
+void ManualClock::cancel(TimerId id)
+{
+    std::erase_if(m_timers, [id](const auto& entry) { return entry.first.second == id; });
+}
+
+void ManualClock::advanceMs(qint64 milliseconds)
+{
+    const qint64 until = m_nowNs + milliseconds * nanosecondsPerMillisecond;
+    while (!m_timers.empty() && m_timers.begin()->first.first <= until) {
+        const auto node = m_timers.extract(m_timers.begin());
+        m_nowNs = std::max(m_nowNs, node.key().first);
+        if (node.mapped().owner)
+            node.mapped().callback();
+    }
+    m_nowNs = until;
+}
+
+} // namespace lds::emulator

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "emulator_clock.h"
+#include "modbus_responder.h"
+#include "server_faults.h"
+
+#include <QHash>
+#include <QHostAddress>
+#include <QList>
+#include <QObject>
+#include <QTcpServer>
+
+namespace lds::emulator {
+
+class ModbusConnection;
+
+/// One TCP port of a virtual sensor: the Modbus port and the tool port behave alike (§5.2.1). Lives in the
+/// sensor's thread.
+class ModbusTcpServer : public QObject {
+    Q_OBJECT
+
+public:
+    static constexpr int mostClients = 16; ///< Further ones are closed at once.
+
+    ModbusTcpServer(VirtualSensor& sensor, EmulatorClock& clock, QObject* parent = nullptr);
+    ~ModbusTcpServer() override;
+
+    /// Port 0 picks a free one. The error says why it could not listen.
+    tl::expected<quint16, QString> listen(const QHostAddress& address, quint16 port);
+    void close(); ///< Stops listening and ends all connections.
+    quint16 port() const { return m_server.serverPort(); }
+    int clientCount() const { return int(m_clients.size()); }
+
+    ModbusResponder& responder() { return m_responder; }
+
+    // Faults on purpose and counts, for tests.
+    /// Spoils the answers to the next `times` requests of that kind.
+    void injectFault(Fault fault, FaultOn on = FaultOn::AnyRequest, int times = 1);
+    void clearFaults() { m_faults.clear(); }
+    int faultsWaiting() const { return m_faults.waiting(); }
+    void setAnswerDelay(int milliseconds) { m_answerDelayMs = milliseconds; }
+    void setSilent(bool silent) { m_silent = silent; } ///< Takes requests and does nothing with them.
+    void closeAllConnections();
+    int requestCount(quint8 functionCode) const { return m_requestCounts.value(functionCode); }
+    int totalRequestCount() const;
+    void resetCounts() { m_requestCounts.clear(); }
+
+Q_SIGNALS:
+    void requestHandled(quint8 functionCode);
+
+private:
+    void acceptConnections();
+    void handle(ModbusConnection* connection, const QByteArray& message);
+
+    VirtualSensor& m_sensor;
+    EmulatorClock& m_clock;
+    ModbusResponder m_responder;
+    QTcpServer m_server;
+    QList<ModbusConnection*> m_clients;
+    ServerFaults m_faults;
+    QHash<quint8, int> m_requestCounts;
+    int m_answerDelayMs = 0;
+    bool m_silent = false;
+};
+
+} // namespace lds::emulator
