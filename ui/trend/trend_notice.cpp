@@ -1,0 +1,82 @@
+#include "trend_notice.h"
+
+#include "sentences.h"
+#include "trend_ticks.h"
+
+#include <QCoreApplication>
+
+namespace lds::ui {
+
+using sensor::Connection;
+using sensor::SensorSession;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("lds::ui::TrendPage", text); }
+
+QString disconnectedDetail(const SensorSession& session)
+{
+    const bool hasData = !session.trend().isEmpty();
+    switch (session.connection()) {
+    case Connection::Closed:
+    case Connection::Reconnecting:
+        if (session.linkReport().failure != ports::OpenFailure::None && !hasData)
+            return openFailureSentence(session.linkReport(), session.url());
+        break;
+    case Connection::Opening:
+    case Connection::Reading:
+    case Connection::Ready:
+        if (!hasData)
+            return tr("The line starts with the first value.");
+        break;
+    }
+    if (!hasData)
+        return tr("Connect to the sensor to watch its measured value here.");
+    const auto& trend = session.trend();
+    const qint64 wallMs = trend.at(trend.size() - 1).wallMs;
+    return tr("Nothing measured since %1.").arg(clockText(wallMs * 1'000'000, 1'000'000'000));
+}
+
+TrendLimit limitOf(const SensorSession& session, catalog::ItemId id, const QString& name)
+{
+    const catalog::SettingItem& item = session.catalog().item(id);
+    const auto text = [&](catalog::Value value) {
+        return settings::valueText(item, session.model(), value, settings::TextStyle::Typographic);
+    };
+    TrendLimit limit;
+    limit.held = session.held(id);
+    if (limit.held)
+        limit.heldText = QStringLiteral("%1 %2").arg(name, text(*limit.held));
+    if (const auto edit = session.pending().find(id)) {
+        limit.wanted = edit->wanted;
+        limit.wantedText = tr("%1 %2, not applied yet").arg(name, text(edit->wanted));
+    }
+    return limit;
+}
+
+} // namespace
+
+TrendNotice noticeFor(const SensorSession* session)
+{
+    if (!session)
+        return {tr("No sensor"), tr("Connect to a sensor to watch its measured value here.")};
+    if (session->connection() != Connection::Ready)
+        return {connectionWord(session->connection()), disconnectedDetail(*session)};
+    if (session->isSensorNotReady())
+        return {tr("Sensor not ready"),
+                tr("It is in its menu, or saving. The line goes on when it measures again.")};
+    if (session->trend().isEmpty())
+        return {tr("Waiting for the first value"), tr("The line starts as soon as the sensor answers.")};
+    const auto& latest = session->latest();
+    if (latest && !(latest->state & measurement::LaserBit))
+        return {tr("Laser stopped"), tr("Switch the laser on to go on measuring.")};
+    return {};
+}
+
+TrendLimits limitsOf(const SensorSession& session)
+{
+    return {limitOf(session, catalog::ItemId::HighSetValue, QStringLiteral("HIGH")),
+            limitOf(session, catalog::ItemId::LowSetValue, QStringLiteral("LOW")), session.isStale()};
+}
+
+} // namespace lds::ui
