@@ -1,0 +1,134 @@
+#include "emulator_options.h"
+
+#include <QCommandLineParser>
+
+namespace lds::app {
+
+using namespace Qt::StringLiterals;
+using emulator::StationOptions;
+
+namespace {
+
+/// Options of the contract that this version knows and cannot do yet.
+const QStringList laterOptions{u"slmp-port"_s, u"eip-port"_s, u"eip-io-port"_s,
+                               u"rtu"_s,       u"unit"_s,     u"scene"_s};
+const QStringList sensorOptions{u"bind"_s, u"modbus-port"_s, u"tool-port"_s, u"state"_s};
+
+void declareOptions(QCommandLineParser& parser)
+{
+    parser.setApplicationDescription(u"Virtual HL-G2 displacement sensors that speak Modbus TCP."_s);
+    parser.addOptions({
+        {u"sensor"_s, u"Type of the sensor, for example HL-G203B-S-MK."_s, u"TYPE"_s},
+        {u"bind"_s, u"Address to listen on; 127.0.0.1 unless told."_s, u"ADDRESS"_s, u"127.0.0.1"_s},
+        {u"modbus-port"_s, u"Port of the Modbus TCP server; 0 picks a free one."_s, u"PORT"_s},
+        {u"tool-port"_s, u"Port for configuration tools, Modbus TCP as well; 0 picks a free one."_s,
+         u"PORT"_s},
+        {u"state"_s, u"File that keeps the saved settings; made at the first saving."_s, u"FILE"_s},
+        {u"config"_s,
+         u"JSON file with several sensors: {\"sensors\": [{\"sensor\", \"bind\", \"modbusPort\", "
+         "\"toolPort\", \"state\"}, ...]}."_s,
+         u"FILE"_s},
+    });
+    for (const QString& name : laterOptions) {
+        QCommandLineOption option(name, u"Not in this version."_s, u"VALUE"_s);
+        option.setFlags(QCommandLineOption::HiddenFromHelp);
+        parser.addOption(option);
+    }
+    parser.addHelpOption();
+    parser.addVersionOption();
+}
+
+tl::expected<std::optional<quint16>, QString> portOption(const QCommandLineParser& parser,
+                                                         const QString& name)
+{
+    if (!parser.isSet(name))
+        return std::nullopt;
+    bool isNumber = false;
+    const int port = parser.value(name).toInt(&isNumber);
+    if (!isNumber || port < 0 || port > 0xffff) {
+        return tl::unexpected(u"--%1 %2: a port is a number from 0 to 65535, 0 for any free one"_s.arg(
+            name, parser.value(name)));
+    }
+    return std::optional(quint16(port));
+}
+
+tl::expected<StationOptions, QString> stationOf(const QCommandLineParser& parser)
+{
+    StationOptions station;
+    const auto model = modelNamed(parser.value(u"sensor"_s));
+    if (!model)
+        return tl::unexpected(u"--sensor: "_s + model.error());
+    const auto address = bindAddress(parser.value(u"bind"_s));
+    if (!address)
+        return tl::unexpected(u"--bind: "_s + address.error());
+    const auto modbusPort = portOption(parser, u"modbus-port"_s);
+    if (!modbusPort)
+        return tl::unexpected(modbusPort.error());
+    const auto toolPort = portOption(parser, u"tool-port"_s);
+    if (!toolPort)
+        return tl::unexpected(toolPort.error());
+    if (!*modbusPort && !*toolPort)
+        return tl::unexpected(u"nothing to serve: give --modbus-port or --tool-port, 0 for any free port"_s);
+    if (parser.isSet(u"state"_s) && parser.value(u"state"_s).isEmpty())
+        return tl::unexpected(u"--state: the file name is empty"_s);
+    return StationOptions{*model, *address, *modbusPort, *toolPort, parser.value(u"state"_s)};
+}
+
+} // namespace
+
+tl::expected<catalog::SensorModel, QString> modelNamed(const QString& typeName)
+{
+    if (const auto* model = catalog::Catalog::hlG2().findModel(typeName))
+        return model->model;
+    QStringList known;
+    for (const auto& model : catalog::Catalog::hlG2().models())
+        known.append(QString::fromLatin1(model.typeName));
+    return tl::unexpected(
+        u"\"%1\" is no sensor this program knows; it knows %2"_s.arg(typeName, known.join(u", "_s)));
+}
+
+tl::expected<QHostAddress, QString> bindAddress(const QString& text)
+{
+    const QHostAddress address(text);
+    if (address.isNull())
+        return tl::unexpected(u"\"%1\" is no IP address"_s.arg(text));
+    return address;
+}
+
+tl::expected<EmulatorOptions, QString> parseCommandLine(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    declareOptions(parser);
+    if (!parser.parse(arguments))
+        return tl::unexpected(parser.errorText());
+    if (parser.isSet(u"help"_s))
+        return EmulatorOptions{{}, false, parser.helpText()};
+    if (parser.isSet(u"version"_s))
+        return EmulatorOptions{{}, false, u"lds-emulator %1\n"_s.arg(QStringLiteral(LDS_VERSION))};
+    for (const QString& name : laterOptions) {
+        if (parser.isSet(name))
+            return tl::unexpected(u"--%1 is not in this version: it speaks Modbus TCP only"_s.arg(name));
+    }
+    if (!parser.positionalArguments().isEmpty())
+        return tl::unexpected(
+            u"\"%1\" is not understood; see --help"_s.arg(parser.positionalArguments().first()));
+    if (parser.isSet(u"config"_s) == parser.isSet(u"sensor"_s))
+        return tl::unexpected(u"give either --sensor TYPE or --config FILE; see --help"_s);
+    if (!parser.isSet(u"config"_s)) {
+        const auto station = stationOf(parser);
+        if (!station)
+            return tl::unexpected(station.error());
+        return EmulatorOptions{{*station}, false, {}};
+    }
+    for (const QString& name : sensorOptions) {
+        if (parser.isSet(name))
+            return tl::unexpected(
+                u"--%1 belongs to --sensor; with --config it stands in the file"_s.arg(name));
+    }
+    const auto stations = readConfigFile(parser.value(u"config"_s));
+    if (!stations)
+        return tl::unexpected(stations.error());
+    return EmulatorOptions{*stations, true, {}};
+}
+
+} // namespace lds::app

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "sensor_station.h"
+
+#include <QList>
+#include <QString>
+#include <QStringList>
+#include <tl/expected.hpp>
+
+namespace lds::app {
+
+/// What the command line or a configuration file asks of the emulator.
+struct EmulatorOptions {
+    QList<emulator::StationOptions> stations;
+    bool fromConfig = false; ///< The ready line then has a list of sensors.
+    QString information;     ///< Text to print and leave with success: help or version.
+};
+
+/// What is wrong with it, for standard error.
+tl::expected<EmulatorOptions, QString> parseCommandLine(const QStringList& arguments);
+
+/// A configuration file (--config): several sensors in one JSON file,
+///
+///     { "sensors": [ { "sensor": "HL-G203B-S-MK", "bind": "127.0.0.1",
+///                      "modbusPort": 15020, "toolPort": 0, "state": "first.json" }, … ] }
+///
+/// "sensor" and at least one port are needed; 0 picks a free port, null or nothing starts no such server;
+/// "bind" is 127.0.0.1 unless told; a relative "state" is looked for beside the configuration file.
+tl::expected<QList<emulator::StationOptions>, QString> readConfigFile(const QString& path);
+
+/// The model of a type name, or a message that lists the known ones.
+tl::expected<catalog::SensorModel, QString> modelNamed(const QString& typeName);
+/// An IP address to listen on, never a name.
+tl::expected<QHostAddress, QString> bindAddress(const QString& text);
+
+} // namespace lds::app
