@@ -41,7 +41,6 @@ void SensorSession::Private::close()
     stopTimer(rereadTimer);
     stopTimer(walkTimer);
     voidReadings();
-    readAllWanted = false;
     client->shutDown();
     client = nullptr;
     report = {LinkState::Closed, OpenFailure::None, {}, true};
@@ -122,7 +121,7 @@ void SensorSession::Private::everythingRead(const ports::Outcome& outcome)
         return;
     if (outcome.status == ports::Status::Done) {
         learn(outcome.values, outcome.finishedNs, {});
-        bankIsOther = false; // all of it has just been read
+        bankIsOther = readAllWanted = false; // all of it has just been read
         return becomeReady();
     }
     if (isConnectionGone(outcome))

@@ -58,6 +58,7 @@ struct SensorSession::Private final : RunHost {
     void walk();
     void read(const QList<ItemId>& items, ports::Urgency urgency);
     void readAgain();
+    void readingEnded(const ports::Outcome& outcome);
     void voidReadings();
     QList<ItemId> readableItems(bool walkOnly) const;
     HeldValues::Changes learn(const settings::Values& values, qint64 atNs, const QList<ItemId>& own) override;
@@ -111,6 +112,7 @@ struct SensorSession::Private final : RunHost {
     SettingsWalk settingsWalk;
     quint64 readingTicket = 0; ///< A reading that carries another one has been made void.
     bool readingUnderWay = false;
+    bool readingIsFull = false;
     bool readAllWanted = false;
     bool bankIsOther = false; ///< Somebody switched the bank and its values are not read yet.
 

@@ -27,52 +27,44 @@ void SensorSession::Private::read(const QList<ItemId>& items, ports::Urgency urg
     request.urgency = urgency;
     request.items = items;
     ask(request, client, [this, ticket = readingTicket](const ports::Outcome& outcome) {
-        if (ticket != readingTicket)
-            return;
-        readingUnderWay = false;
-        if (outcome.status != ports::Status::Done)
-            return;
-        learn(outcome.values, outcome.finishedNs, {});
-        if (bankIsOther)
-            readAgain();
+        if (ticket == readingTicket)
+            readingEnded(outcome);
     });
 }
 
-/// Reads everything once more. After somebody has switched the bank what differs is the other bank's, not
-/// changed by anybody.
+/// Reads everything once more, after what is under way.
 void SensorSession::Private::readAgain()
 {
-    if (connection != Connection::Ready)
+    readAllWanted = true;
+    if (connection != Connection::Ready || readingUnderWay || applying || running)
         return;
-    if (readingUnderWay || applying || running) {
-        readAllWanted = true;
-        return;
-    }
     readAllWanted = false;
-    readingUnderWay = true;
-    ports::Request request;
-    request.kind = ports::RequestKind::Read;
-    request.urgency = ports::Urgency::Person;
-    request.items = readableItems(false);
-    ask(request, client, [this, ticket = readingTicket](const ports::Outcome& outcome) {
-        if (ticket != readingTicket)
-            return;
-        readingUnderWay = false;
-        if (outcome.status != ports::Status::Done)
-            return;
-        const bool wasOther = std::exchange(bankIsOther, false);
-        learn(outcome.values, outcome.finishedNs, wasOther ? command_effects::bankScoped() : QList<ItemId>{});
-        bankIsOther = false;
-    });
+    readingIsFull = true;
+    read(readableItems(false), ports::Urgency::Person);
+}
+
+void SensorSession::Private::readingEnded(const ports::Outcome& outcome)
+{
+    readingUnderWay = false;
+    const bool full = std::exchange(readingIsFull, false);
+    if (outcome.status == ports::Status::Done) {
+        // After somebody has switched the bank what differs is the other bank's, not changed by anybody.
+        const bool catchesUp = full && std::exchange(bankIsOther, false);
+        learn(outcome.values, outcome.finishedNs,
+              catchesUp ? command_effects::bankScoped() : QList<ItemId>{});
+        readAllWanted = readAllWanted || bankIsOther;
+    }
+    if (readAllWanted)
+        readAgain();
 }
 
 /// A reading on its way while something is written could be compared with the wrong state: it counts no more.
 void SensorSession::Private::voidReadings()
 {
-    if (readingUnderWay)
-        readAllWanted = true;
+    readAllWanted = readAllWanted || readingIsFull;
     ++readingTicket;
     readingUnderWay = false;
+    readingIsFull = false;
 }
 
 QList<ItemId> SensorSession::Private::readableItems(bool walkOnly) const

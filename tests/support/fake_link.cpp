@@ -41,12 +41,34 @@ std::shared_ptr<FakeSensor> FakeLinkFactory::find(const ports::ConnectionUrl& ur
     return sensor;
 }
 
+namespace {
+
+class EventCounter final : public QObject {
+public:
+    EventCounter() { QCoreApplication::instance()->installEventFilter(this); }
+    int take() { return std::exchange(m_count, 0); }
+
+protected:
+    bool eventFilter(QObject*, QEvent*) override
+    {
+        ++m_count;
+        return false;
+    }
+
+private:
+    int m_count = 0;
+};
+
+} // namespace
+
 void settle()
 {
-    // Posted events of posted events come along: sendPostedEvents works until none is left.
-    QCoreApplication::sendPostedEvents();
-    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-    QCoreApplication::sendPostedEvents();
+    EventCounter delivered;
+    do {
+        delivered.take();
+        QCoreApplication::sendPostedEvents();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    } while (delivered.take() > 0);
 }
 
 } // namespace lds::support
