@@ -23,10 +23,10 @@ enum class ValueKind : quint8 {
 enum StateBit : quint16 {
     AlarmBit = 1 << 0,
     IndeterminateBit = 1 << 1,
-    HighBit = 1 << 2,          ///< Judgment output HI, after the output delay timer.
+    HighBit = 1 << 2, ///< Judgment output HI, after the output delay timer.
     GoBit = 1 << 3,
     LowBit = 1 << 4,
-    HighNoTimerBit = 1 << 5,   ///< Judgment at timer OFF.
+    HighNoTimerBit = 1 << 5, ///< Judgment at timer OFF.
     GoNoTimerBit = 1 << 6,
     LowNoTimerBit = 1 << 7,
     HoldBit = 1 << 8,
@@ -40,12 +40,12 @@ enum StateBit : quint16 {
 
 /// One sample as it was received.
 struct Measurement {
-    qint64 monotonicNs = 0;    ///< When the reply arrived, on the scheduler's monotonic clock.
-    qint64 wallMs = 0;         ///< The same instant as milliseconds since the epoch, UTC.
-    Value value = 0;           ///< 0.1 µm; a sentinel where kind is not Valid.
+    qint64 monotonicNs = 0; ///< When the reply arrived, on the scheduler's monotonic clock.
+    qint64 wallMs = 0;      ///< The same instant as milliseconds since the epoch, UTC.
+    Value value = 0;        ///< 0.1 µm; a sentinel where kind is not Valid.
     ValueKind kind = ValueKind::Indeterminate;
-    quint16 state = 0;         ///< StateBit
-    quint16 notification = 0;  ///< Self-monitoring details (§4.13), reserved bits masked.
+    quint16 state = 0;        ///< StateBit
+    quint16 notification = 0; ///< Self-monitoring details (§4.13), reserved bits masked.
     quint16 caution = 0;
     quint16 error = 0;
     quint16 errorCode = 0;     ///< 0x0100 stands for E100**.
