@@ -14,18 +14,26 @@ class MessageLog final : public QObject, public ports::FrameLog {
     Q_OBJECT
 
 public:
+    static constexpr int mostWaiting = 20'000;
+    static constexpr qsizetype mostWaitingBytes = 16 * 1024 * 1024;
+
     explicit MessageLog(QObject* parent = nullptr);
     void record(const ports::Frame& frame) override;
-    QList<ports::Frame> take(quint64* dropped = nullptr); ///< GUI thread: everything that waits.
+    /// GUI thread: everything that waits. Adds to `dropped` how many went unseen since the last take().
+    QList<ports::Frame> take(quint64* dropped = nullptr);
 
 Q_SIGNALS:
-    void waiting(); ///< Emitted once until the next take(); connect queued.
+    void waiting(); ///< Emitted once until the next take(), in the recording thread; connect queued.
 
 private:
     QMutex m_mutex;
     QList<ports::Frame> m_waiting;
+    qsizetype m_bytes = 0;
     quint64 m_dropped = 0;
     bool m_announced = false;
 };
+
+/// About what a frame occupies, for bounds in bytes.
+qsizetype footprint(const ports::Frame& frame);
 
 } // namespace lds::ui

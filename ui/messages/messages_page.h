@@ -7,6 +7,8 @@
 
 namespace lds::ui {
 
+class MessageModel;
+
 /// Every message sent and received, decoded in words beside its bytes; filter, pause, copy, save.
 class MessagesPage final : public QWidget {
     Q_OBJECT
@@ -15,6 +17,14 @@ public:
     explicit MessagesPage(MessageLog& log, QWidget* parent = nullptr);
     ~MessagesPage() override;
     void setPeer(const QString& peer); ///< Shows only this sensor's messages when "this sensor" is chosen.
+
+    const MessageModel& model() const;
+    QString copyText() const;         ///< What Copy puts on the clipboard: the selected rows, tab separated.
+    bool saveTo(const QString& path); ///< The messages shown; says on the page how it went.
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     struct Private;
