@@ -1,0 +1,697 @@
+#include "manual_clock.h"
+#include "virtual_sensor.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace lds::emulator;
+using namespace lds::catalog;
+
+namespace {
+
+constexpr int averageFullMs = 600; ///< Longer than the default average of 512 samples of 1 ms.
+
+// Coils of §5.2.5 by their number.
+enum CoilNumber {
+    Alarm = 1,
+    Indeterminate = 2,
+    High = 3,
+    Go = 4,
+    Low = 5,
+    TimerOffHigh = 6,
+    TimerOffGo = 7,
+    TimerOffLow = 8,
+    Hold = 9,
+    Zero = 10,
+    Laser = 11,
+    Error = 12,
+    Caution = 13,
+    Notification = 14,
+    ExcessiveLight = 17,
+    InsufficientLight = 18,
+    OutsideRange = 19,
+    ExtraneousLight = 20,
+    WritesExceeded = 34,
+    BeamError = 49,
+    SystemError = 51,
+};
+
+} // namespace
+
+class VirtualSensorTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init();
+    void cleanup();
+
+    void aMovingWorkpieceLivesInsideTheMeasurementRange_data();
+    void aMovingWorkpieceLivesInsideTheMeasurementRange();
+    void theSameMomentAlwaysShowsTheSameValue();
+    void aPlacedWorkpieceStandsStill();
+    void valuesBeyondTheDisplayRangeReadAsSentinels();
+    void judgmentBitsFollowTheValue();
+    void outsideTheMeasurementRangeIsToldByTheRawValue();
+    void aStoppedLaserIsIndeterminateAndTold();
+    void anAlarmReadsAsTheLastValueOrTheSentinel();
+    void eachKindOfBadLightHasItsCoil();
+    void selfMonitoringSummariesFollowTheDetails();
+    void reservedBitsMayReadAsOnes();
+    void everyCoilUsedIsNamedInTheCatalog();
+
+    void zeroSettingMakesThePlaceZeroOrTheOffset();
+    void zeroSettingBelongsToItsBank();
+    void zeroSettingFailsWhileUnmeasurable();
+    void triggerByCommunicationHolds();
+    void triggerIsClearedByWhatTheManualLists();
+    void changingTheTriggerModeMakesTheValueIndeterminate();
+    void aHoldModeTurnsOneShotIntoHold();
+    void resettingTheMeasuredValueStartsTheAverageAfresh();
+    void changingTheAverageIsIndeterminateUntilItIsFull();
+    void peakHoldOverPollsSeesWhatHappenedBetweenThem();
+
+    void unsavedValuesAreGoneAfterAPowerCycle();
+    void savedValuesSurviveAPowerCycle();
+    void aStoreThatFailsMakesSavingFail();
+    void savingKeepsTheSensorSilent();
+    void bankCopyTakesWhatIsSaved_data();
+    void bankCopyTakesWhatIsSaved();
+    void initializationResetsBanksAndIsSaved();
+    void networkSettingsCountAfterACommunicationReset();
+    void bankSwitchingShowsTheBanksValues();
+
+    void inItsMenuTheSensorIsNotReady();
+    void oneIllegalValueWritesNothing();
+    void aFailingItemLeavesWhatWasWrittenBeforeIt();
+    void writesAreCounted();
+    void teachingAndTuningCannotBeStartedYet();
+    void changesAtTheKeypadAreSavedAndJudgedByNobody();
+
+private:
+    VirtualSensor& make(SensorModel model = SensorModel::HlG203);
+    bool write(ItemId id, Value value);
+    Value value() { return readNow(ItemId::MeasuredValue); }
+    Value readNow(ItemId id);
+
+    std::unique_ptr<ManualClock> m_clock;
+    std::unique_ptr<VirtualSensor> m_sensor;
+};
+
+void VirtualSensorTest::init()
+{
+    m_clock = std::make_unique<ManualClock>();
+    make();
+}
+
+void VirtualSensorTest::cleanup() { m_sensor.reset(); }
+
+VirtualSensor& VirtualSensorTest::make(SensorModel model)
+{
+    m_sensor = std::make_unique<VirtualSensor>(model, *m_clock);
+    return *m_sensor;
+}
+
+bool VirtualSensorTest::write(ItemId id, Value value)
+{
+    const WriteOutcome outcome = m_sensor->write({{id, value}});
+    return !outcome.refusal && outcome.written == 1;
+}
+
+Value VirtualSensorTest::readNow(ItemId id)
+{
+    m_sensor->catchUp();
+    return m_sensor->read(id);
+}
+
+void VirtualSensorTest::aMovingWorkpieceLivesInsideTheMeasurementRange_data()
+{
+    QTest::addColumn<int>("model");
+    QTest::addColumn<int>("range");
+    // §4.13, in 0.1 µm
+    QTest::newRow("30 mm") << int(SensorModel::HlG203) << 50'000;
+    QTest::newRow("50 mm") << int(SensorModel::HlG205) << 100'000;
+    QTest::newRow("85 mm") << int(SensorModel::HlG208) << 200'000;
+    QTest::newRow("120 mm") << int(SensorModel::HlG212) << 300'000;
+    QTest::newRow("250 mm") << int(SensorModel::HlG225) << 1'500'000;
+}
+
+void VirtualSensorTest::aMovingWorkpieceLivesInsideTheMeasurementRange()
+{
+    QFETCH(int, model);
+    QFETCH(int, range);
+    VirtualSensor& sensor = make(SensorModel(model));
+    QVERIFY(write(ItemId::AverageTimes, 0));
+    Value lowest = range;
+    Value highest = -range;
+    for (int i = 0; i < 300; ++i) {
+        m_clock->advanceMs(100);
+        const Value now = value();
+        QVERIFY(std::abs(now) < range);
+        lowest = std::min(lowest, now);
+        highest = std::max(highest, now);
+        const Value intensity = sensor.read(ItemId::PeakIntensity);
+        QVERIFY(intensity > 0 && intensity <= 1023);
+        QVERIFY(!sensor.coil(OutsideRange) && !sensor.coil(Notification));
+    }
+    QVERIFY(highest - lowest > range / 2);
+}
+
+void VirtualSensorTest::theSameMomentAlwaysShowsTheSameValue()
+{
+    ManualClock otherClock;
+    VirtualSensor other(SensorModel::HlG203, otherClock);
+    m_clock->advanceMs(1000);
+    for (int i = 0; i < 100; ++i) { // asked more often, it says the same
+        otherClock.advanceMs(10);
+        other.catchUp();
+    }
+    QCOMPARE(value(), other.read(ItemId::MeasuredValue));
+    m_clock->advanceMs(1000);
+    QVERIFY(value() != other.read(ItemId::MeasuredValue));
+}
+
+void VirtualSensorTest::aPlacedWorkpieceStandsStill()
+{
+    m_sensor->placeWorkpiece(-1234);
+    QCOMPARE(value(), -1234);
+    m_clock->advanceMs(5000);
+    QCOMPARE(value(), -1234);
+    m_sensor->letWorkpieceMove();
+    m_clock->advanceMs(5000);
+    QVERIFY(value() != -1234);
+}
+
+void VirtualSensorTest::valuesBeyondTheDisplayRangeReadAsSentinels()
+{
+    QVERIFY(write(ItemId::Offset, 90'000));
+    m_sensor->placeWorkpiece(5'000);
+    QCOMPARE(value(), 95'000);
+    m_sensor->placeWorkpiece(5'001);
+    QCOMPARE(value(), 9'600'000);
+    QVERIFY(write(ItemId::Offset, -90'000));
+    m_sensor->placeWorkpiece(-5'000);
+    QCOMPARE(value(), -95'000);
+    m_sensor->placeWorkpiece(-5'001);
+    QCOMPARE(value(), -9'600'000);
+    QVERIFY(m_sensor->coil(Low)); // it is judged all the same
+}
+
+void VirtualSensorTest::judgmentBitsFollowTheValue()
+{
+    const auto expectOnly = [this](int timerBit, int plainBit) {
+        m_sensor->catchUp();
+        for (const int coil : {High, Go, Low, TimerOffHigh, TimerOffGo, TimerOffLow})
+            QCOMPARE(m_sensor->coil(coil), coil == timerBit || coil == plainBit);
+    };
+    QVERIFY(write(ItemId::HighSetValue, 1'000));
+    QVERIFY(write(ItemId::LowSetValue, -1'000));
+    m_sensor->placeWorkpiece(0);
+    expectOnly(Go, TimerOffGo);
+    m_sensor->placeWorkpiece(2'000);
+    expectOnly(High, TimerOffHigh);
+    m_sensor->placeWorkpiece(901); // hysteresis 100
+    expectOnly(High, TimerOffHigh);
+    m_sensor->placeWorkpiece(-2'000);
+    expectOnly(Low, TimerOffLow);
+}
+
+void VirtualSensorTest::outsideTheMeasurementRangeIsToldByTheRawValue()
+{
+    QVERIFY(write(ItemId::Offset, -60'000));
+    m_sensor->placeWorkpiece(50'000);
+    QVERIFY(!m_sensor->coil(OutsideRange));
+    m_sensor->placeWorkpiece(50'001);
+    QVERIFY(m_sensor->coil(OutsideRange));
+    QVERIFY(m_sensor->coil(Notification));
+    QCOMPARE(m_sensor->read(ItemId::SelfMonitoringNotification), 4);
+    QCOMPARE(value(), -9'999); // the measured value itself is well inside
+}
+
+void VirtualSensorTest::aStoppedLaserIsIndeterminateAndTold()
+{
+    QVERIFY(m_sensor->coil(Laser));
+    QVERIFY(write(ItemId::LaserStop, 1));
+    QVERIFY(!m_sensor->coil(Laser));
+    QVERIFY(m_sensor->coil(Indeterminate));
+    QVERIFY(!m_sensor->coil(Go));
+    QCOMPARE(value(), -9'999'999);
+    QCOMPARE(m_sensor->read(ItemId::PeakIntensity), 65'535);
+    m_clock->advanceMs(averageFullMs);
+    QCOMPARE(value(), -9'999'999);
+    QVERIFY(write(ItemId::LaserStop, 0));
+    QVERIFY(m_sensor->coil(Laser));
+    QCOMPARE(value(), -9'999'999);
+    m_clock->advanceMs(averageFullMs);
+    QVERIFY(std::abs(value()) < 50'000);
+}
+
+void VirtualSensorTest::anAlarmReadsAsTheLastValueOrTheSentinel()
+{
+    m_sensor->placeWorkpiece(700);
+    m_sensor->setLight(Light::Insufficient);
+    m_clock->advanceMs(8); // delay count 8
+    QCOMPARE(value(), 700);
+    QVERIFY(!m_sensor->coil(Alarm));
+    m_clock->advanceMs(1);
+    QCOMPARE(value(), 700); // Alarm digital output is on Hold
+    QVERIFY(m_sensor->coil(Alarm));
+    m_sensor->setLight(Light::Measurable);
+    m_clock->advanceMs(1);
+    QVERIFY(write(ItemId::AlarmDigitalOutput, 1));
+    m_sensor->setLight(Light::Insufficient);
+    m_clock->advanceMs(20);
+    QCOMPARE(value(), 9'999'999);
+    QVERIFY(m_sensor->coil(Alarm));
+    for (const int coil : {Indeterminate, High, Go, Low})
+        QVERIFY(!m_sensor->coil(coil));
+    m_sensor->setLight(Light::Measurable);
+    m_clock->advanceMs(1);
+    QCOMPARE(value(), 700);
+    QVERIFY(!m_sensor->coil(Alarm));
+}
+
+void VirtualSensorTest::eachKindOfBadLightHasItsCoil()
+{
+    const QList<std::pair<Light, int>> kinds{{Light::Excessive, ExcessiveLight},
+                                             {Light::Insufficient, InsufficientLight},
+                                             {Light::ExtraneousLight, ExtraneousLight}};
+    for (const auto& [light, coil] : kinds) {
+        m_sensor->setLight(light);
+        m_clock->advanceMs(20);
+        m_sensor->catchUp();
+        for (const auto& kind : kinds)
+            QCOMPARE(m_sensor->coil(kind.second), kind.second == coil);
+        QVERIFY(m_sensor->coil(Notification));
+        QVERIFY(!m_sensor->coil(Caution));
+        m_sensor->setLight(Light::Measurable);
+        m_clock->advanceMs(20);
+        m_sensor->catchUp();
+        QVERIFY(!m_sensor->coil(Notification));
+    }
+}
+
+void VirtualSensorTest::selfMonitoringSummariesFollowTheDetails()
+{
+    m_sensor->setCautionBits(0xffff);
+    QVERIFY(m_sensor->coil(WritesExceeded) && m_sensor->coil(Caution) && m_sensor->coil(Notification));
+    QVERIFY(!m_sensor->coil(Error));
+    QCOMPARE(m_sensor->stateWord(2), quint16(0x0003)); // the rest is reserved
+    m_sensor->setErrorBits(0x0001);
+    QVERIFY(m_sensor->coil(BeamError) && m_sensor->coil(Error) && m_sensor->coil(Notification));
+    QVERIFY(!m_sensor->coil(Caution)); // only while there is no error
+    m_sensor->setErrorBits(0xffff);
+    QVERIFY(m_sensor->coil(SystemError));
+    QCOMPARE(m_sensor->stateWord(3), quint16(0x0005));
+    m_sensor->setErrorCode(0x0200);
+    QCOMPARE(m_sensor->read(ItemId::ErrorCode), 0x0200);
+    m_sensor->setErrorBits(0);
+    m_sensor->setCautionBits(0);
+    QVERIFY(!m_sensor->coil(Notification));
+}
+
+void VirtualSensorTest::reservedBitsMayReadAsOnes()
+{
+    const quint16 before = m_sensor->stateWord(0);
+    m_sensor->setReservedBits(true);
+    QCOMPARE(m_sensor->stateWord(0), quint16(before | 0xc000));
+    QCOMPARE(m_sensor->stateWord(1), quint16(0xfff0));
+    QVERIFY(!m_sensor->coil(Notification)); // they mean nothing
+    QVERIFY(!m_sensor->coil(0) && !m_sensor->coil(65));
+}
+
+void VirtualSensorTest::everyCoilUsedIsNamedInTheCatalog()
+{
+    m_sensor->setReservedBits(true);
+    for (const Coil& coil : Catalog::hlG2().coils()) {
+        if (coil.reserved())
+            QVERIFY2(m_sensor->coil(coil.number), qPrintable(QString::number(coil.number)));
+    }
+    m_sensor->setReservedBits(false);
+    for (const Coil& coil : Catalog::hlG2().coils()) {
+        if (m_sensor->coil(coil.number))
+            QVERIFY2(!coil.reserved(), qPrintable(QString::number(coil.number)));
+    }
+}
+
+void VirtualSensorTest::zeroSettingMakesThePlaceZeroOrTheOffset()
+{
+    m_sensor->placeWorkpiece(12'345);
+    QVERIFY(write(ItemId::ZeroSetting, 1));
+    QCOMPARE(value(), 0);
+    QVERIFY(m_sensor->coil(Zero));
+    m_sensor->placeWorkpiece(12'445);
+    QCOMPARE(value(), 100);
+    QVERIFY(write(ItemId::Offset, 30)); // §4.10: with an offset it becomes the offset
+    QVERIFY(write(ItemId::ZeroSetting, 1));
+    QCOMPARE(value(), 30);
+    QVERIFY(write(ItemId::ZeroSetting, 0));
+    QCOMPARE(value(), 12'475);
+    QVERIFY(!m_sensor->coil(Zero));
+}
+
+void VirtualSensorTest::zeroSettingBelongsToItsBank()
+{
+    m_sensor->placeWorkpiece(500);
+    QVERIFY(write(ItemId::ZeroSetting, 1));
+    QVERIFY(write(ItemId::BankSwitching, 2));
+    m_sensor->placeWorkpiece(500);
+    QCOMPARE(value(), 500);
+    QCOMPARE(readNow(ItemId::ZeroSetting), 0);
+    QVERIFY(write(ItemId::BankSwitching, 1));
+    m_sensor->placeWorkpiece(500);
+    QCOMPARE(value(), 0);
+    QCOMPARE(readNow(ItemId::ZeroSetting), 1);
+}
+
+void VirtualSensorTest::zeroSettingFailsWhileUnmeasurable()
+{
+    m_sensor->setLight(Light::Insufficient);
+    m_clock->advanceMs(1); // the value is still shown, but zero cannot be set (§4.10)
+    const WriteOutcome outcome = m_sensor->write({{ItemId::ZeroSetting, 1}});
+    QCOMPARE(outcome.refusal, Refusal::Failed);
+    QVERIFY(!m_sensor->coil(Zero));
+    QVERIFY(write(ItemId::ZeroSetting, 0));
+}
+
+void VirtualSensorTest::triggerByCommunicationHolds()
+{
+    QVERIFY(write(ItemId::AverageTimes, 0));
+    m_sensor->placeWorkpiece(10);
+    QVERIFY(write(ItemId::TriggerInputCommunication, 1));
+    m_sensor->placeWorkpiece(20);
+    QCOMPARE(value(), 10);
+    QVERIFY(m_sensor->coil(Hold));
+    QCOMPARE(m_sensor->read(ItemId::HoldState), 1);
+    QCOMPARE(m_sensor->read(ItemId::TriggerInputCommunication), 1);
+    QVERIFY(write(ItemId::TriggerInputCommunication, 0));
+    QCOMPARE(value(), 20);
+    QVERIFY(!m_sensor->coil(Hold));
+    m_sensor->setExternalTrigger(true);
+    QCOMPARE(m_sensor->read(ItemId::TriggerInputExternal), 1);
+    QVERIFY(m_sensor->coil(Hold));
+}
+
+void VirtualSensorTest::triggerIsClearedByWhatTheManualLists()
+{
+    const QList<ItemWrite> clearing{{ItemId::BankSwitching, 2},
+                                    {ItemId::BankCopy, 11},
+                                    {ItemId::SettingsInitialization, 3},
+                                    {ItemId::TriggerMode, 1},
+                                    {ItemId::HoldMode, 1}}; // the last turns One Shot into Hold
+    for (const ItemWrite& each : clearing) {
+        QVERIFY(write(ItemId::TriggerInputCommunication, 1));
+        QVERIFY(write(each.item, each.value));
+        QVERIFY2(m_sensor->read(ItemId::TriggerInputCommunication) == 0, hlG2(each.item).key);
+    }
+    QVERIFY(write(ItemId::TriggerInputCommunication, 1));
+    QVERIFY(write(ItemId::EcoMode, 0));
+    QCOMPARE(m_sensor->read(ItemId::TriggerInputCommunication), 1);
+}
+
+void VirtualSensorTest::changingTheTriggerModeMakesTheValueIndeterminate()
+{
+    QVERIFY(write(ItemId::AverageTimes, 0));
+    m_sensor->placeWorkpiece(10);
+    QVERIFY(write(ItemId::TriggerMode, 1));
+    m_clock->advanceMs(averageFullMs);
+    QCOMPARE(value(), -9'999'999); // One Shot: until the first trigger
+    QVERIFY(m_sensor->coil(Indeterminate));
+    QVERIFY(write(ItemId::TriggerInputCommunication, 1));
+    QVERIFY(write(ItemId::TriggerInputCommunication, 0));
+    m_sensor->placeWorkpiece(20);
+    QCOMPARE(value(), 10);
+}
+
+void VirtualSensorTest::aHoldModeTurnsOneShotIntoHold()
+{
+    QVERIFY(write(ItemId::TriggerMode, 1));
+    QVERIFY(write(ItemId::HoldMode, 2));
+    QCOMPARE(m_sensor->read(ItemId::TriggerMode), 0);
+    QVERIFY(!write(ItemId::TriggerMode, 1));
+    QVERIFY(write(ItemId::HoldMode, 0));
+    QCOMPARE(m_sensor->read(ItemId::TriggerMode), 0); // it does not come back by itself
+}
+
+void VirtualSensorTest::resettingTheMeasuredValueStartsTheAverageAfresh()
+{
+    QVERIFY(write(ItemId::HoldMode, 1));
+    m_sensor->placeWorkpiece(900);
+    m_sensor->placeWorkpiece(100);
+    QCOMPARE(value(), 900);
+    QVERIFY(write(ItemId::MeasuredValueResetting, 0));
+    for (const int coil : {High, Go, Low})
+        QVERIFY(!m_sensor->coil(coil)); // §4.11
+    QCOMPARE(value(), -9'999'999);
+    m_clock->advanceMs(averageFullMs);
+    QCOMPARE(value(), 100);
+}
+
+void VirtualSensorTest::changingTheAverageIsIndeterminateUntilItIsFull()
+{
+    m_sensor->placeWorkpiece(100);
+    QVERIFY(write(ItemId::AverageTimes, 2)); // 16 samples of 1 ms
+    QVERIFY(m_sensor->coil(Indeterminate));
+    m_clock->advanceMs(14);
+    QCOMPARE(value(), -9'999'999);
+    m_clock->advanceMs(2);
+    QCOMPARE(value(), 100);
+    QVERIFY(write(ItemId::AverageTimes, 2)); // no change, nothing lost
+    QCOMPARE(value(), 100);
+}
+
+void VirtualSensorTest::peakHoldOverPollsSeesWhatHappenedBetweenThem()
+{
+    QVERIFY(write(ItemId::AverageTimes, 0));
+    QVERIFY(write(ItemId::SamplingFrequency, 4)); // 2 ms
+    QVERIFY(write(ItemId::HoldMode, 3));
+    m_clock->advanceMs(8000); // nearly a period of the movement, in one step
+    QVERIFY(value() > 40'000);
+}
+
+void VirtualSensorTest::unsavedValuesAreGoneAfterAPowerCycle()
+{
+    QVERIFY(write(ItemId::Offset, 10));
+    QVERIFY(write(ItemId::EcoMode, 0));
+    QVERIFY(write(ItemId::BankSwitching, 3));
+    m_sensor->powerCycle();
+    QCOMPARE(readNow(ItemId::Offset), 0);
+    QCOMPARE(readNow(ItemId::EcoMode), 1);
+    QCOMPARE(readNow(ItemId::BankSwitching), 1);
+    QCOMPARE(m_sensor->memoryWriteCount(), 0);
+}
+
+void VirtualSensorTest::savedValuesSurviveAPowerCycle()
+{
+    SettingsMemory stored(SensorModel::HlG203);
+    m_sensor->setStore([&stored](const SettingsMemory& memory) -> tl::expected<void, QString> {
+        stored = memory;
+        return {};
+    });
+    m_sensor->placeWorkpiece(400);
+    QVERIFY(write(ItemId::ZeroSetting, 1));
+    QVERIFY(write(ItemId::BankSwitching, 2));
+    QVERIFY(write(ItemId::Offset, 10));
+    QVERIFY(write(ItemId::SetValueSaving, 0));
+    QCOMPARE(m_sensor->memoryWriteCount(), 1);
+    QVERIFY(write(ItemId::Offset, 20));
+    QVERIFY(stored == m_sensor->savedMemory());
+    m_sensor->powerCycle();
+    QCOMPARE(readNow(ItemId::BankSwitching), 2);
+    QCOMPARE(readNow(ItemId::Offset), 10);
+    QCOMPARE(m_sensor->memory().zeroCorrection(0), 40'000);
+    QCOMPARE(value(), -9'999'999); // the average starts empty
+    m_clock->advanceMs(averageFullMs);
+    QCOMPARE(value(), 410);
+    QVERIFY(m_sensor->memory() == stored);
+}
+
+void VirtualSensorTest::aStoreThatFailsMakesSavingFail()
+{
+    m_sensor->setStore([](const SettingsMemory&) -> tl::expected<void, QString> {
+        return tl::unexpected(QStringLiteral("disk full"));
+    });
+    const QSignalSpy failures(m_sensor.get(), &VirtualSensor::storeFailed);
+    QVERIFY(write(ItemId::Offset, 10));
+    QCOMPARE(m_sensor->write({{ItemId::SetValueSaving, 0}}).refusal, Refusal::Failed);
+    QCOMPARE(failures.size(), 1);
+    QCOMPARE(m_sensor->savedMemory().value(ItemId::Offset), 0);
+    QCOMPARE(m_sensor->write({{ItemId::BankCopy, 0}}).refusal, Refusal::Failed);
+    QCOMPARE(m_sensor->write({{ItemId::SettingsInitialization, 5}}).refusal, Refusal::Failed);
+    QCOMPARE(readNow(ItemId::Offset), 10); // nothing was initialized
+    QCOMPARE(m_sensor->memoryWriteCount(), 0);
+}
+
+void VirtualSensorTest::savingKeepsTheSensorSilent()
+{
+    m_sensor->setSavingDuration(300);
+    QCOMPARE(m_sensor->silentForMs(), 0);
+    QVERIFY(write(ItemId::SetValueSaving, 0));
+    QCOMPARE(m_sensor->silentForMs(), 300);
+    m_clock->advanceMs(299);
+    QCOMPARE(m_sensor->silentForMs(), 1);
+    m_clock->advanceMs(1);
+    QCOMPARE(m_sensor->silentForMs(), 0);
+}
+
+void VirtualSensorTest::bankCopyTakesWhatIsSaved_data()
+{
+    QTest::addColumn<int>("code");
+    QTest::addColumn<int>("from");
+    QTest::addColumn<int>("to");
+    // §4.2
+    constexpr int combinations[12][2] = {{1, 2}, {1, 3}, {1, 4}, {2, 1}, {2, 3}, {2, 4},
+                                         {3, 1}, {3, 2}, {3, 4}, {4, 1}, {4, 2}, {4, 3}};
+    for (int code = 0; code < 12; ++code)
+        QTest::addRow("%d to %d", combinations[code][0], combinations[code][1])
+            << code << combinations[code][0] << combinations[code][1];
+}
+
+void VirtualSensorTest::bankCopyTakesWhatIsSaved()
+{
+    QFETCH(int, code);
+    QFETCH(int, from);
+    QFETCH(int, to);
+    for (int bank = 1; bank <= 4; ++bank) {
+        QVERIFY(write(ItemId::BankSwitching, bank));
+        QVERIFY(write(ItemId::Offset, bank * 100));
+    }
+    QVERIFY(write(ItemId::SetValueSaving, 0));
+    for (int bank = 1; bank <= 4; ++bank) {
+        QVERIFY(write(ItemId::BankSwitching, bank));
+        QVERIFY(write(ItemId::Offset, bank * 100 + 1)); // not saved
+    }
+    QVERIFY(write(ItemId::BankCopy, code));
+    for (int bank = 1; bank <= 4; ++bank) {
+        const Value inUse = bank == to ? from * 100 : bank * 100 + 1;
+        const Value saved = bank == to ? from * 100 : bank * 100;
+        QCOMPARE(m_sensor->memory().value(ItemId::Offset, bank - 1), inUse);
+        QCOMPARE(m_sensor->savedMemory().value(ItemId::Offset, bank - 1), saved);
+    }
+    QCOMPARE(m_sensor->memoryWriteCount(), 2);
+}
+
+void VirtualSensorTest::initializationResetsBanksAndIsSaved()
+{
+    const auto spoil = [this] {
+        for (int bank = 1; bank <= 4; ++bank) {
+            QVERIFY(write(ItemId::BankSwitching, bank));
+            QVERIFY(write(ItemId::Offset, 50));
+        }
+        QVERIFY(write(ItemId::KeyLock, 1));
+        QVERIFY(write(ItemId::SetValueSaving, 0));
+    };
+    for (Value what = 1; what <= 6; ++what) {
+        spoil();
+        QVERIFY(write(ItemId::SettingsInitialization, what));
+        for (const SettingsMemory& memory : {m_sensor->memory(), m_sensor->savedMemory()}) {
+            for (int bank = 1; bank <= 4; ++bank)
+                QCOMPARE(memory.value(ItemId::Offset, bank - 1), what >= 5 || what == bank ? 0 : 50);
+            QCOMPARE(memory.value(ItemId::KeyLock), what == 6 ? 0 : 1);
+            QCOMPARE(memory.value(ItemId::BankSwitching), what == 6 ? 1 : 4);
+        }
+    }
+}
+
+void VirtualSensorTest::networkSettingsCountAfterACommunicationReset()
+{
+    const QSignalSpy resets(m_sensor.get(), &VirtualSensor::communicationReset);
+    QVERIFY(write(ItemId::PortModbus, 1502));
+    QCOMPARE(readNow(ItemId::PortModbus), 1502);
+    QCOMPARE(m_sensor->activeValue(ItemId::PortModbus), 502);
+    QVERIFY(write(ItemId::ResettingCommunicationSettings, 0));
+    QCOMPARE(m_sensor->activeValue(ItemId::PortModbus), 1502);
+    QCOMPARE(resets.size(), 1);
+    m_sensor->powerCycle(); // it was not saved
+    QCOMPARE(m_sensor->activeValue(ItemId::PortModbus), 502);
+}
+
+void VirtualSensorTest::bankSwitchingShowsTheBanksValues()
+{
+    QVERIFY(write(ItemId::HighSetValue, 40'000));
+    QVERIFY(write(ItemId::BankSwitching, 2));
+    QCOMPARE(readNow(ItemId::HighSetValue), 50'000);
+    QVERIFY(write(ItemId::HighSetValue, 30'000));
+    QVERIFY(write(ItemId::BankSwitching, 1));
+    QCOMPARE(readNow(ItemId::HighSetValue), 40'000);
+}
+
+void VirtualSensorTest::inItsMenuTheSensorIsNotReady()
+{
+    m_sensor->setInMenu(true);
+    const WriteOutcome outcome = m_sensor->write({{ItemId::EcoMode, 0}});
+    QCOMPARE(outcome.refusal, Refusal::NotReady);
+    QCOMPARE(m_sensor->writeCount(ItemId::EcoMode), 0);
+    m_sensor->setInMenu(false);
+    QCOMPARE(readNow(ItemId::EcoMode), 1);
+    QVERIFY(write(ItemId::EcoMode, 0));
+}
+
+void VirtualSensorTest::oneIllegalValueWritesNothing()
+{
+    const WriteOutcome outcome = m_sensor->write({{ItemId::EcoMode, 0}, {ItemId::DisplayDigit, 200}});
+    QCOMPARE(outcome.refusal, Refusal::Data);
+    QCOMPARE(outcome.written, 0);
+    QVERIFY2(outcome.reason.contains(QLatin1String(hlG2(ItemId::DisplayDigit).key)),
+             qPrintable(outcome.reason));
+    QCOMPARE(readNow(ItemId::EcoMode), 1);
+    QCOMPARE(m_sensor->totalWriteCount(), 0);
+}
+
+void VirtualSensorTest::aFailingItemLeavesWhatWasWrittenBeforeIt()
+{
+    m_sensor->setWriteFailure(ItemId::AlarmDelayCount, true);
+    const QSignalSpy writtenItems(m_sensor.get(), &VirtualSensor::written);
+    const WriteOutcome outcome =
+        m_sensor->write({{ItemId::EcoMode, 0}, {ItemId::AlarmDelayCount, 3}, {ItemId::DisplayDigit, 2}});
+    QCOMPARE(outcome.refusal, Refusal::Failed);
+    QCOMPARE(outcome.written, 1);
+    QCOMPARE(writtenItems.size(), 1);
+    QCOMPARE(readNow(ItemId::EcoMode), 0);
+    QCOMPARE(readNow(ItemId::AlarmDelayCount), 8);
+    QCOMPARE(readNow(ItemId::DisplayDigit), 0);
+    m_sensor->setWriteFailure(ItemId::AlarmDelayCount, false);
+    QVERIFY(write(ItemId::AlarmDelayCount, 3));
+}
+
+void VirtualSensorTest::writesAreCounted()
+{
+    QVERIFY(write(ItemId::EcoMode, 0));
+    QVERIFY(write(ItemId::EcoMode, 0));
+    QVERIFY(write(ItemId::SetValueSaving, 0));
+    QCOMPARE(m_sensor->writeCount(ItemId::EcoMode), 2);
+    QCOMPARE(m_sensor->writeCount(ItemId::SetValueSaving), 1);
+    QCOMPARE(m_sensor->writeCount(ItemId::Offset), 0);
+    QCOMPARE(m_sensor->totalWriteCount(), 3);
+}
+
+void VirtualSensorTest::teachingAndTuningCannotBeStartedYet()
+{
+    for (const ItemWrite& start : QList<ItemWrite>{{ItemId::ExecutionOfTeaching, 1},
+                                                   {ItemId::Teaching1stPoint, 0},
+                                                   {ItemId::BrightnessTuning, 1},
+                                                   {ItemId::BrightnessTuning1stPoint, 0}})
+        QCOMPARE(m_sensor->write({start}).refusal, Refusal::Failed);
+    QVERIFY(write(ItemId::ExecutionOfTeaching, 0));
+    QVERIFY(write(ItemId::BrightnessTuning, 0));
+    QCOMPARE(readNow(ItemId::TeachingExecutionState), 0);
+    QCOMPARE(readNow(ItemId::BrightnessTuningExecutionState), 0);
+    QCOMPARE(readNow(ItemId::BrightnessTuning), 0);
+}
+
+void VirtualSensorTest::changesAtTheKeypadAreSavedAndJudgedByNobody()
+{
+    QVERIFY(write(ItemId::Offset, 7)); // not saved
+    m_sensor->changeByKeypad(ItemId::HighSetValue, -90'000);
+    QCOMPARE(readNow(ItemId::HighSetValue), -90'000); // below LOW
+    QCOMPARE(m_sensor->writeCount(ItemId::HighSetValue), 0);
+    m_sensor->changeByKeypad(ItemId::BankSwitching, 2);
+    m_sensor->changeByKeypad(ItemId::Offset, 9);
+    m_sensor->powerCycle();
+    QCOMPARE(readNow(ItemId::BankSwitching), 2);
+    QCOMPARE(readNow(ItemId::Offset), 9);
+    QCOMPARE(m_sensor->memory().value(ItemId::HighSetValue, 0), -90'000);
+    QCOMPARE(m_sensor->memory().value(ItemId::Offset, 0), 0);
+}
+
+QTEST_GUILESS_MAIN(VirtualSensorTest)
+#include "tst_virtual_sensor.moc"
