@@ -224,17 +224,31 @@ Write factoryWrite(WriteGroup group, SensorModel model)
     return write;
 }
 
-/// With the gateway off, the factory address is valid in every mask there can be, so a way through it
-/// exists wherever the old address does not fit the new mask nor the new address the old mask.
-void addNetwork(Cluster& cluster, SensorModel model)
+/// The longest mask the present address is valid in: the way out of a mask that no address is valid in.
+QList<Write> maskThatSuits(const Values& current)
 {
-    constexpr quint32 classA = 0xff000000;
-    constexpr quint32 classB = 0xffff0000;
+    Values state;
+    for (const ItemId octet : octetsOf(WriteGroup::IpAddress)) {
+        if (const std::optional<Value> value = known(current, octet))
+            state[octet] = *value;
+    }
+    for (int hostBits = 2; hostBits < 32; ++hostBits) {
+        const Write mask = addressWrite(WriteGroup::SubnetMask, ~0U << hostBits);
+        for (const ItemValue& octet : mask)
+            state[octet.item] = octet.value;
+        if (judge(state, Subjects(mask)).isEmpty())
+            return {mask};
+    }
+    return {};
+}
+
+/// With the gateway off, the factory address is valid in every mask that any address is valid in, so a way
+/// through it exists wherever the old address does not fit the new mask nor the new address the old mask.
+void addNetwork(Cluster& cluster, SensorModel model, const Values& current)
+{
     cluster.add(WriteGroup::DefaultGateway, {addressWrite(WriteGroup::DefaultGateway, 0)}, costOfUsualDetour);
     cluster.add(WriteGroup::IpAddress, {factoryWrite(WriteGroup::IpAddress, model)});
-    cluster.add(WriteGroup::SubnetMask,
-                {factoryWrite(WriteGroup::SubnetMask, model), addressWrite(WriteGroup::SubnetMask, classB),
-                 addressWrite(WriteGroup::SubnetMask, classA)});
+    cluster.add(WriteGroup::SubnetMask, maskThatSuits(current));
 }
 
 std::vector<Cluster> clustersOf(SensorModel model, const Values& current, const Goal& goal)
@@ -247,7 +261,7 @@ std::vector<Cluster> clustersOf(SensorModel model, const Values& current, const 
     Cluster ports(model, current, goal);
     addPorts(ports, model, current, goal);
     Cluster network(model, current, goal);
-    addNetwork(network, model);
+    addNetwork(network, model, current);
     return {window, hold, ports, network};
 }
 

@@ -60,10 +60,8 @@ public:
             node->isSettled = true;
             if (keyOf(m_items, node->state) == goalKey)
                 return wayTo(*node);
-            for (const Move& move : m_moves) {
-                if (const auto next = apply(m_model, node->state, move.write); next && *next != node->state)
-                    reach(*next, node, move.write, node->cost + move.cost);
-            }
+            for (const Move& move : m_moves)
+                tryMove(*node, move);
         }
         return std::nullopt;
     }
@@ -78,6 +76,17 @@ private:
             return std::tie(other.cost, other.discovery) < std::tie(cost, discovery);
         }
     };
+
+    void tryMove(const Node& node, const Move& move)
+    {
+        const bool changesSomething =
+            std::any_of(move.write.begin(), move.write.end(),
+                        [&](const ItemValue& each) { return known(node.state, each.item) != each.value; });
+        if (!changesSomething)
+            return;
+        if (const auto next = apply(m_model, node.state, move.write))
+            reach(*next, &node, move.write, node.cost + move.cost);
+    }
 
     void reach(const Values& state, const Node* from, const Write& write, int cost)
     {
