@@ -29,6 +29,24 @@ QList<ItemId> allSettings()
     return items;
 }
 
+settings::Values over(settings::Values below, const settings::Values& above)
+{
+    below.insert(above);
+    return below;
+}
+
+/// The item, with those that are written in one message with it.
+settings::Values sameGroup(const settings::Values& values, ItemId item)
+{
+    const catalog::WriteGroup group = catalog::hlG2(item).group;
+    settings::Values some{{item, values.value(item)}};
+    for (auto it = values.constBegin(); it != values.constEnd(); ++it) {
+        if (group != catalog::WriteGroup::None && catalog::hlG2(it.key()).group == group)
+            some.insert(it.key(), it.value());
+    }
+    return some;
+}
+
 } // namespace
 
 ApplyRun::ApplyRun(RunHost& host, const PendingEdits::Edits& edits, Finished finished)
@@ -79,8 +97,11 @@ void ApplyRun::next()
     m_step = {};
     m_step.write = m_steps.takeFirst();
     for (const settings::ItemValue& each : std::as_const(m_step.write)) {
-        if (m_start.contains(each.item))
-            m_step.before.insert(each.item, m_start.value(each.item));
+        if (!m_start.contains(each.item))
+            continue;
+        m_step.before.insert(each.item, m_start.value(each.item));
+        if (!isFinal(m_step.write))
+            m_onTheWay.insert(each.item);
     }
     m_changing = changing(m_step.write);
     m_underWay = true;
@@ -94,14 +115,10 @@ void ApplyRun::next()
 void ApplyRun::replan()
 {
     m_steps.clear();
-    settings::Values wanted = detoursBack();
-    if (!m_cancelled) {
-        const settings::Values goals = openGoals();
-        for (auto it = goals.constBegin(); it != goals.constEnd(); ++it)
-            wanted.insert(it.key(), it.value());
-    }
-    if (!takePlan(wanted))
-        takePlan(largestPart(wanted));
+    const settings::Values goals = m_cancelled ? settings::Values{} : openGoals();
+    const settings::Values back = valuesToPutBack();
+    if (!takePlan(over(back, goals)))
+        takePlan(largestPart(back, largestPart(goals, {})));
 }
 
 bool ApplyRun::takePlan(const settings::Values& wanted)
@@ -110,18 +127,17 @@ bool ApplyRun::takePlan(const settings::Values& wanted)
     if (!isUsable(plan))
         return false;
     m_steps = plan->steps;
-    for (const settings::Write& step : std::as_const(m_steps)) {
-        for (const settings::ItemValue& each : step) {
-            if (wanted.contains(each.item) || m_detours.contains(each.item))
-                continue;
-            if (m_reached.contains(each.item))
-                m_detours.insert(each.item, m_goals.value(each.item));
-            else if (m_start.contains(each.item))
-                m_detours.insert(each.item, m_start.value(each.item));
-        }
-    }
     m_host.runProgressed(m_done, m_done + int(m_steps.size()));
     return true;
+}
+
+/// Whether a write leaves its items where they are to stay. A gateway of 0.0.0.0 on the way to another
+/// network does not, even where some of its octets are to be 0 in the end.
+bool ApplyRun::isFinal(const settings::Write& write) const
+{
+    return std::all_of(write.begin(), write.end(), [this](const settings::ItemValue& each) {
+        return each.value == m_goals.value(each.item, m_start.value(each.item));
+    });
 }
 
 bool ApplyRun::isUsable(const tl::expected<settings::ApplyPlan, settings::PlanFailure>& plan) const
@@ -133,25 +149,17 @@ bool ApplyRun::isUsable(const tl::expected<settings::ApplyPlan, settings::PlanFa
            });
 }
 
-/// As much of `wanted` as there is an order of writes for. Each item is tried with those that fit so far,
-/// again and again until no more fit: one may only become possible by another.
-settings::Values ApplyRun::largestPart(const settings::Values& wanted) const
+/// `part` and as much of `wanted` as there is an order of writes for. Each item is tried with those that
+/// fit so far, again and again until no more fit: one may only become possible by another.
+settings::Values ApplyRun::largestPart(const settings::Values& wanted, settings::Values part) const
 {
-    settings::Values part;
-    QSet<catalog::WriteGroup> groups;
     bool grown = true;
     while (grown) {
         grown = false;
         for (auto it = wanted.constBegin(); it != wanted.constEnd(); ++it) {
             if (part.contains(it.key()))
                 continue;
-            settings::Values tried = part;
-            tried.insert(it.key(), it.value());
-            const catalog::WriteGroup group = catalog::hlG2(it.key()).group;
-            for (auto other = wanted.constBegin(); other != wanted.constEnd(); ++other) {
-                if (group != catalog::WriteGroup::None && catalog::hlG2(other.key()).group == group)
-                    tried.insert(other.key(), other.value());
-            }
+            const settings::Values tried = over(sameGroup(wanted, it.key()), part);
             if (!isUsable(settings::planWrites(m_host.sensorModel(), m_host.heldNow(), tried)))
                 continue;
             part = tried;
@@ -253,17 +261,18 @@ void ApplyRun::reached(const HeldValues::Changes& changes)
         m_step.status = Status::Done;
         m_host.setSaved(Saved::NotSaved);
     }
-    bool anyGoal = false;
-    for (const settings::ItemValue& each : std::as_const(m_step.write)) {
-        const auto goal = m_goals.constFind(each.item);
-        if (goal == m_goals.constEnd() || *goal != each.value)
-            continue;
-        anyGoal = true;
-        m_reached.insert(each.item);
-        m_host.editReached(each.item, each.value);
+    if (isFinal(m_step.write)) {
+        bool anyGoal = false;
+        for (const settings::ItemValue& each : std::as_const(m_step.write)) {
+            if (!m_goals.contains(each.item))
+                continue;
+            anyGoal = true;
+            m_reached.insert(each.item);
+            m_host.editReached(each.item, each.value);
+        }
+        if (anyGoal)
+            m_report.written.append(m_step);
     }
-    if (anyGoal)
-        m_report.written.append(m_step);
     const QList<ItemId> asked = itemsOf(m_step.write);
     for (const ExternalChange& change : changes.moved) {
         if (!asked.contains(change.item) && m_changing.contains(change.item) &&
@@ -331,12 +340,13 @@ settings::Values ApplyRun::openGoals() const
     return open;
 }
 
-settings::Values ApplyRun::detoursBack() const
+/// What was changed only for the way there, with the value it goes back to.
+settings::Values ApplyRun::valuesToPutBack() const
 {
     settings::Values back;
-    for (auto it = m_detours.constBegin(); it != m_detours.constEnd(); ++it) {
-        if (!m_failed.contains(it.key()))
-            back.insert(it.key(), it.value());
+    for (const ItemId item : m_onTheWay) {
+        if (!m_failed.contains(item))
+            back.insert(item, m_reached.contains(item) ? m_goals.value(item) : m_start.value(item));
     }
     return back;
 }

@@ -25,8 +25,9 @@ private:
     void next();
     void replan();
     bool takePlan(const settings::Values& wanted);
+    bool isFinal(const settings::Write& write) const;
     bool isUsable(const tl::expected<settings::ApplyPlan, settings::PlanFailure>& plan) const;
-    settings::Values largestPart(const settings::Values& wanted) const;
+    settings::Values largestPart(const settings::Values& wanted, settings::Values part) const;
     bool leaveWithdrawn();
     QList<ItemId> changing(const settings::Write& write) const;
 
@@ -40,7 +41,7 @@ private:
     void finish();
 
     settings::Values openGoals() const;
-    settings::Values detoursBack() const;
+    settings::Values valuesToPutBack() const;
 
     RunHost& m_host;
     QObject m_context;
@@ -48,8 +49,8 @@ private:
     Finished m_finished; ///< Empty once it has run.
     ApplyReport m_report;
     settings::Values m_goals;
-    settings::Values m_start;   ///< What the sensor held when the run began.
-    settings::Values m_detours; ///< Items changed only for the way there, with the value they go back to.
+    settings::Values m_start; ///< What the sensor held when the run began.
+    QSet<ItemId> m_onTheWay;  ///< Given, for a while, a value that nobody wants.
     QSet<ItemId> m_reached;
     QSet<ItemId> m_failed; ///< Written, and not as wanted: never written again in this run.
     QList<settings::Write> m_steps;

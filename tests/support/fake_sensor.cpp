@@ -102,8 +102,8 @@ void FakeSensor::arrived(const Request& request)
     if (request.kind == RequestKind::Write && m_link->isViewOnly())
         return end(request, Status::Refused, FailureCode::ViewOnly);
     m_requests.append(request);
-    if (m_onRequest)
-        m_onRequest(request);
+    if (const auto hook = m_onRequest) // a copy: it may put another in its place
+        hook(request);
     if (!m_open)
         return end(request, Status::Unknown, FailureCode::ConnectionLost);
 
