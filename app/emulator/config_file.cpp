@@ -85,7 +85,7 @@ tl::expected<StationOptions, QString> stationOf(const QJsonValue& value, const Q
     const auto state = textOf(object, u"state"_s, where, {});
     if (!state)
         return tl::unexpected(state.error());
-    const QString stateFile = state->isEmpty() ? QString() : folder.absoluteFilePath(*state);
+    const QString stateFile = state->isEmpty() ? QString() : QDir::cleanPath(folder.absoluteFilePath(*state));
     return StationOptions{*model, *address, *modbusPort, *toolPort, stateFile};
 }
 

@@ -101,7 +101,7 @@ tl::expected<EmulatorOptions, QString> parseCommandLine(const QStringList& argum
     declareOptions(parser);
     if (!parser.parse(arguments))
         return tl::unexpected(parser.errorText());
-    if (parser.isSet(u"help"_s))
+    if (parser.isSet(u"help"_s) || parser.isSet(u"help-all"_s))
         return EmulatorOptions{{}, false, parser.helpText()};
     if (parser.isSet(u"version"_s))
         return EmulatorOptions{{}, false, u"lds-emulator %1\n"_s.arg(QStringLiteral(LDS_VERSION))};

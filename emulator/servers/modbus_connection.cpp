@@ -30,6 +30,7 @@ void ModbusConnection::readArrived()
         return;
     }
     waitForRest(state == ModbusMessageBuffer::State::Waiting);
+    Q_EMIT bytesReceived(bytes.size());
     for (const QByteArray& message : std::as_const(messages)) {
         if (m_closing)
             return;

@@ -30,6 +30,7 @@ public:
     void close(); ///< What has been sent before still goes out.
 
 Q_SIGNALS:
+    void bytesReceived(qint64 count);
     void messageReceived(const QByteArray& message);
     void closed();
 

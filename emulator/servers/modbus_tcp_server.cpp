@@ -45,6 +45,8 @@ void ModbusTcpServer::acceptConnections()
         m_clients.append(connection);
         connect(connection, &ModbusConnection::messageReceived, this,
                 [this, connection](const QByteArray& message) { handle(connection, message); });
+        connect(connection, &ModbusConnection::bytesReceived, this,
+                [this](qint64 count) { m_receivedBytes += count; });
         connect(connection, &ModbusConnection::closed, this, [this, connection] {
             m_clients.removeOne(connection);
             connection->deleteLater();
@@ -89,6 +91,12 @@ void ModbusTcpServer::handle(ModbusConnection* connection, const QByteArray& mes
 }
 
 void ModbusTcpServer::injectFault(Fault fault, FaultOn on, int times) { m_faults.add(fault, on, times); }
+
+void ModbusTcpServer::resetCounts()
+{
+    m_requestCounts.clear();
+    m_receivedBytes = 0;
+}
 
 int ModbusTcpServer::totalRequestCount() const
 {

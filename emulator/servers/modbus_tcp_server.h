@@ -43,7 +43,8 @@ public:
     void closeAllConnections();
     int requestCount(quint8 functionCode) const { return m_requestCounts.value(functionCode); }
     int totalRequestCount() const;
-    void resetCounts() { m_requestCounts.clear(); }
+    qint64 receivedBytes() const { return m_receivedBytes; } ///< Of all clients, whole messages or not.
+    void resetCounts();
 
 Q_SIGNALS:
     void requestHandled(quint8 functionCode);
@@ -59,6 +60,7 @@ private:
     QList<ModbusConnection*> m_clients;
     ServerFaults m_faults;
     QHash<quint8, int> m_requestCounts;
+    qint64 m_receivedBytes = 0;
     int m_answerDelayMs = 0;
     bool m_silent = false;
 };

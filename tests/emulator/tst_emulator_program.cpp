@@ -1,0 +1,307 @@
+#include <QFile>
+#include <QHostAddress>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTcpServer>
+#include <QTcpSocket>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <signal.h>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QString program() { return qEnvironmentVariable("LDS_BIN") + u"/lds-emulator"_s; }
+
+/// A running emulator that has said that it is ready.
+class Emulator {
+public:
+    explicit Emulator(const QStringList& arguments)
+    {
+        m_process.start(program(), arguments);
+        while (m_process.state() != QProcess::NotRunning && !m_process.canReadLine() &&
+               m_process.waitForReadyRead(20'000)) {
+        }
+        m_line = m_process.readLine();
+    }
+    ~Emulator()
+    {
+        m_process.kill();
+        m_process.waitForFinished();
+    }
+    const QByteArray& line() const { return m_line; }
+    QJsonObject ready() const { return QJsonDocument::fromJson(m_line).object(); }
+    QByteArray errors() { return m_process.readAllStandardError(); }
+    /// Exit code after a signal; −1 when it did not end properly.
+    int endWith(int signal)
+    {
+        ::kill(pid_t(m_process.processId()), signal);
+        if (!m_process.waitForFinished(20'000) || m_process.exitStatus() != QProcess::NormalExit)
+            return -1;
+        return m_process.exitCode();
+    }
+
+private:
+    QProcess m_process;
+    QByteArray m_line;
+};
+
+QByteArray ask(quint16 port, const char* request)
+{
+    QTcpSocket client;
+    client.connectToHost(QHostAddress::LocalHost, port);
+    client.waitForConnected();
+    client.write(QByteArray::fromHex(request));
+    client.waitForReadyRead();
+    return client.readAll();
+}
+
+quint16 port(const QJsonObject& ready, QLatin1StringView key) { return quint16(ready.value(key).toInt()); }
+
+void writeFile(const QString& path, const QByteArray& bytes)
+{
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(bytes);
+}
+
+constexpr auto readHigh = "0001 0000 0006 01 03 0064 0002";
+
+} // namespace
+
+class EmulatorProgramTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void saysWhereItListensAndEndsOnASignal_data();
+    void saysWhereItListensAndEndsOnASignal();
+    void startsOnlyTheServersAskedFor();
+    void wrongUsageIsToldAndExitsWith2_data();
+    void wrongUsageIsToldAndExitsWith2();
+    void aTakenPortExitsWith1();
+    void helpAndVersionExitWith0();
+    void aConfigurationFileStartsSeveralSensors();
+    void wrongConfigurationFilesNameTheField_data();
+    void wrongConfigurationFilesNameTheField();
+    void savedSettingsSurviveTheProgram();
+    void aWrongStateFileIsNeverOverwritten();
+};
+
+void EmulatorProgramTest::initTestCase()
+{
+    QVERIFY2(QFile::exists(program()), qPrintable(program() + u" is not built (LDS_BIN)"_s));
+}
+
+void EmulatorProgramTest::saysWhereItListensAndEndsOnASignal_data()
+{
+    QTest::addColumn<int>("signal");
+    QTest::newRow("SIGINT") << SIGINT;
+    QTest::newRow("SIGTERM") << SIGTERM;
+}
+
+void EmulatorProgramTest::saysWhereItListensAndEndsOnASignal()
+{
+    QFETCH(int, signal);
+    Emulator emulator(
+        {u"--sensor"_s, u"HL-G203B-S-MK"_s, u"--modbus-port"_s, u"0"_s, u"--tool-port"_s, u"0"_s});
+    const QJsonObject ready = emulator.ready();
+    QVERIFY2(emulator.line().endsWith('\n'), emulator.line());
+    QStringList keys = ready.keys();
+    QCOMPARE(keys.join(u' '), u"eipPort modbusPort ready rtu sensor slmpPort toolPort"_s);
+    QCOMPARE(ready.value("ready"_L1), QJsonValue(true));
+    QCOMPARE(ready.value("sensor"_L1).toString(), u"HL-G203B-S-MK"_s);
+    for (const auto key : {"slmpPort"_L1, "eipPort"_L1, "rtu"_L1})
+        QVERIFY(ready.value(key).isNull());
+    const QByteArray answer = QByteArray::fromHex("0001 0000 0007 01 03 04 c350 0000");
+    QCOMPARE(ask(port(ready, "modbusPort"_L1), readHigh), answer);
+    QCOMPARE(ask(port(ready, "toolPort"_L1), readHigh), answer);
+    QCOMPARE(emulator.endWith(signal), 0);
+}
+
+void EmulatorProgramTest::startsOnlyTheServersAskedFor()
+{
+    const Emulator emulator({u"--sensor"_s, u"hl-g212b-s-mk"_s, u"--tool-port"_s, u"0"_s});
+    const QJsonObject ready = emulator.ready();
+    QVERIFY(ready.value("modbusPort"_L1).isNull());
+    QVERIFY(port(ready, "toolPort"_L1) > 0);
+    QCOMPARE(ready.value("sensor"_L1).toString(), u"HL-G212B-S-MK"_s);
+}
+
+void EmulatorProgramTest::wrongUsageIsToldAndExitsWith2_data()
+{
+    QTest::addColumn<QString>("arguments");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("nothing") << QString() << u"--sensor"_s;
+    for (const char* model : {"203", "205", "208", "212", "225"}) {
+        QTest::newRow(model) << u"--sensor HL-G2 --modbus-port 0"_s
+                             << u"HL-G%1B-S-MK"_s.arg(QString::fromLatin1(model));
+    }
+    const QString sensor = u"--sensor HL-G203B-S-MK "_s;
+    for (const char* option : {"slmp-port", "eip-port", "eip-io-port", "rtu", "unit", "scene"}) {
+        const QString name = u"--"_s + QString::fromLatin1(option);
+        QTest::newRow(option) << sensor + u"--modbus-port 0 %1 1"_s.arg(name)
+                              << name + u" is not in this version"_s;
+    }
+    QTest::newRow("no server") << sensor << u"nothing to serve"_s;
+    QTest::newRow("port no number") << sensor + u"--modbus-port abc"_s << u"--modbus-port abc"_s;
+    QTest::newRow("port too large") << sensor + u"--tool-port 65536"_s << u"--tool-port 65536"_s;
+    QTest::newRow("port negative") << sensor + u"--tool-port=-1"_s << u"--tool-port -1"_s;
+    QTest::newRow("bind a name") << sensor + u"--modbus-port 0 --bind localhost"_s << u"--bind"_s;
+    QTest::newRow("unknown option") << sensor + u"--frobnicate"_s << u"frobnicate"_s;
+    QTest::newRow("left over") << sensor + u"--modbus-port 0 extra"_s << u"extra"_s;
+    QTest::newRow("both") << sensor + u"--config x.json"_s << u"--config"_s;
+    QTest::newRow("port beside a file") << u"--config x.json --modbus-port 0"_s << u"--modbus-port"_s;
+    QTest::newRow("no such file") << u"--config /nowhere/at/all.json"_s << u"/nowhere/at/all.json"_s;
+}
+
+void EmulatorProgramTest::wrongUsageIsToldAndExitsWith2()
+{
+    QFETCH(QString, arguments);
+    QFETCH(QString, says);
+    QProcess process;
+    process.start(program(), arguments.split(u' ', Qt::SkipEmptyParts));
+    QVERIFY(process.waitForFinished(20'000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 2);
+    QCOMPARE(process.readAllStandardOutput(), QByteArray());
+    const QString message = QString::fromUtf8(process.readAllStandardError());
+    QVERIFY2(message.contains(says), qPrintable(message));
+}
+
+void EmulatorProgramTest::aTakenPortExitsWith1()
+{
+    QTcpServer taken;
+    QVERIFY(taken.listen(QHostAddress::LocalHost));
+    QProcess process;
+    process.start(program(), {u"--sensor"_s, u"HL-G203B-S-MK"_s, u"--modbus-port"_s,
+                              QString::number(taken.serverPort())});
+    QVERIFY(process.waitForFinished(20'000));
+    QCOMPARE(process.exitCode(), 1);
+    const QString message = QString::fromUtf8(process.readAllStandardError());
+    QVERIFY2(message.contains(QString::number(taken.serverPort())), qPrintable(message));
+}
+
+void EmulatorProgramTest::helpAndVersionExitWith0()
+{
+    for (const QString& option : {u"--help"_s, u"--version"_s}) {
+        QProcess process;
+        process.start(program(), {option});
+        QVERIFY(process.waitForFinished(20'000));
+        QCOMPARE(process.exitCode(), 0);
+        QVERIFY(process.readAllStandardOutput().size() > 10);
+    }
+}
+
+void EmulatorProgramTest::aConfigurationFileStartsSeveralSensors()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"line.json"_s);
+    writeFile(path, R"({"sensors": [{"sensor": "HL-G203B-S-MK", "modbusPort": 0, "toolPort": null},
+                                    {"sensor": "HL-G225B-S-MK", "bind": "127.0.0.2", "modbusPort": 0, "toolPort": 0,
+                                     "state": "second.json"}]})");
+    Emulator emulator({u"--config"_s, path});
+    const QJsonArray sensors = emulator.ready().value("sensors"_L1).toArray();
+    QVERIFY2(emulator.ready().value("ready"_L1).toBool(), emulator.line() + emulator.errors());
+    QCOMPARE(sensors.size(), 2);
+    QVERIFY(sensors.at(0).toObject().value("toolPort"_L1).isNull());
+    QCOMPARE(ask(port(sensors.at(0).toObject(), "modbusPort"_L1), readHigh).right(4),
+             QByteArray::fromHex("c3500000"));
+    QCOMPARE(sensors.at(1).toObject().value("sensor"_L1).toString(), u"HL-G225B-S-MK"_s);
+    QTcpSocket client;
+    client.connectToHost(QHostAddress(u"127.0.0.2"_s), port(sensors.at(1).toObject(), "toolPort"_L1));
+    QVERIFY(client.waitForConnected());
+    client.write(QByteArray::fromHex("0001 0000 0006 01 06 0035 0000")); // save
+    QVERIFY(client.waitForReadyRead());
+    QVERIFY(QFile::exists(folder.filePath(u"second.json"_s))); // beside the configuration file
+    QCOMPARE(emulator.endWith(SIGTERM), 0);
+}
+
+void EmulatorProgramTest::wrongConfigurationFilesNameTheField_data()
+{
+    QTest::addColumn<QByteArray>("json");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("no JSON") << QByteArray("{") << u"is not JSON"_s;
+    QTest::newRow("no sensors") << QByteArray(R"({"sensors": []})") << u"sensors"_s;
+    QTest::newRow("more than sensors") << QByteArray(R"({"sensors": [{}], "x": 1})") << u"sensors"_s;
+    QTest::newRow("unknown type") << QByteArray(R"({"sensors": [{"sensor": "X", "modbusPort": 0}]})")
+                                  << u"sensors[0].sensor"_s;
+    QTest::newRow("no type") << QByteArray(R"({"sensors": [{"modbusPort": 0}]})") << u"sensors[0].sensor"_s;
+    QTest::newRow("port a text") << QByteArray(
+                                        R"({"sensors": [{"sensor": "HL-G203B-S-MK", "modbusPort": "0"}]})")
+                                 << u"sensors[0].modbusPort"_s;
+    QTest::newRow("port a fraction") << QByteArray(
+                                            R"({"sensors": [{"sensor": "HL-G203B-S-MK", "toolPort": 1.5}]})")
+                                     << u"sensors[0].toolPort"_s;
+    QTest::newRow("no port") << QByteArray(R"({"sensors": [{"sensor": "HL-G203B-S-MK"}]})")
+                             << u"sensors[0]"_s;
+    QTest::newRow("unknown field")
+        << QByteArray(R"({"sensors": [{"sensor": "HL-G203B-S-MK", "modbusPort": 0, "color": 1}]})")
+        << u"sensors[0].color"_s;
+    QTest::newRow("later version")
+        << QByteArray(R"({"sensors": [{"sensor": "HL-G203B-S-MK", "modbusPort": 0, "slmpPort": 0}]})")
+        << u"sensors[0].slmpPort: is not in this version"_s;
+    QTest::newRow("one state for two")
+        << QByteArray(R"({"sensors": [{"sensor": "HL-G203B-S-MK", "modbusPort": 0, "state": "a"},
+                                      {"sensor": "HL-G203B-S-MK", "modbusPort": 0, "state": "./a"}]})")
+        << u"sensors[1].state"_s;
+}
+
+void EmulatorProgramTest::wrongConfigurationFilesNameTheField()
+{
+    QFETCH(QByteArray, json);
+    QFETCH(QString, says);
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"wrong.json"_s);
+    writeFile(path, json);
+    QProcess process;
+    process.start(program(), {u"--config"_s, path});
+    QVERIFY(process.waitForFinished(20'000));
+    QCOMPARE(process.exitCode(), 2);
+    const QString message = QString::fromUtf8(process.readAllStandardError());
+    QVERIFY2(message.contains(path) && message.contains(says), qPrintable(message));
+}
+
+void EmulatorProgramTest::savedSettingsSurviveTheProgram()
+{
+    const QTemporaryDir folder;
+    const QString state = folder.filePath(u"state.json"_s);
+    const QStringList arguments{u"--sensor"_s, u"HL-G203B-S-MK"_s, u"--modbus-port"_s,
+                                u"0"_s,        u"--state"_s,       state};
+    {
+        Emulator emulator(arguments);
+        const quint16 modbus = port(emulator.ready(), "modbusPort"_L1);
+        QVERIFY(!QFile::exists(state));
+        QVERIFY(!ask(modbus, "0001 0000 000b 01 10 0075 0002 04 0007 0000").isEmpty()); // offset 7
+        QVERIFY(!ask(modbus, "0001 0000 0006 01 06 0035 0000").isEmpty());              // save
+        QVERIFY(!ask(modbus, "0001 0000 000b 01 10 0075 0002 04 0008 0000").isEmpty()); // offset 8, not saved
+        QCOMPARE(emulator.endWith(SIGTERM), 0);
+    }
+    const Emulator again(arguments);
+    QCOMPARE(ask(port(again.ready(), "modbusPort"_L1), "0001 0000 0006 01 03 0075 0002").right(4),
+             QByteArray::fromHex("00070000"));
+}
+
+void EmulatorProgramTest::aWrongStateFileIsNeverOverwritten()
+{
+    const QTemporaryDir folder;
+    const QString state = folder.filePath(u"state.json"_s);
+    writeFile(state, R"({"format": "lds-emulator-state", "version": 1, "sensor": "HL-G205B-S-MK"})");
+    QProcess process;
+    process.start(program(),
+                  {u"--sensor"_s, u"HL-G203B-S-MK"_s, u"--modbus-port"_s, u"0"_s, u"--state"_s, state});
+    QVERIFY(process.waitForFinished(20'000));
+    QCOMPARE(process.exitCode(), 2);
+    const QString message = QString::fromUtf8(process.readAllStandardError());
+    QVERIFY2(message.contains(state + u": sensor"_s), qPrintable(message));
+    QFile file(state);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.readAll().endsWith("\"HL-G205B-S-MK\"}"));
+}
+
+QTEST_GUILESS_MAIN(EmulatorProgramTest)
+#include "tst_emulator_program.moc"
