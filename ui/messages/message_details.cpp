@@ -53,7 +53,7 @@ void MessageDetails::show(const ports::Frame& frame)
     if (!frame.bytes.isEmpty()) {
         lines += bytesLine(frame);
         const QString note = reconstructedNote(frame);
-        lines += span(tr("%n byte(s).", nullptr, int(frame.bytes.size())) +
+        lines += span(tr("%1 bytes.").arg(frame.bytes.size()) +
                           (note.isEmpty() ? QString() : QLatin1Char(' ') + note),
                       ColorRole::Muted);
     }

@@ -9,10 +9,9 @@
 namespace lds::ui {
 
 namespace {
-QString tr(const char* text, int n = -1)
-{
-    return QCoreApplication::translate("lds::ui::MessagesPage", text, nullptr, n);
-}
+struct MessageTexts {
+    Q_DECLARE_TR_FUNCTIONS(lds::ui::MessageTexts)
+};
 } // namespace
 
 QString hexText(const QByteArray& bytes) { return QString::fromLatin1(bytes.toHex(' ')).toUpper(); }
@@ -24,7 +23,7 @@ QString messageTime(const ports::Frame& frame)
 
 QString directionWord(ports::Direction direction)
 {
-    return direction == ports::Direction::Sent ? tr("sent") : tr("received");
+    return direction == ports::Direction::Sent ? MessageTexts::tr("sent") : MessageTexts::tr("received");
 }
 
 QString directionSign(ports::Direction direction)
@@ -41,9 +40,9 @@ QString reconstructedNote(const ports::Frame& frame)
 {
     if (frame.reconstructedPrefix <= 0)
         return {};
-    return tr("The first %n byte(s), dimmed, are reconstructed: only the message itself was seen, not the "
-              "header around it.",
-              frame.reconstructedPrefix);
+    return MessageTexts::tr(
+        "Dimmed bytes are reconstructed: only the message itself was seen, not the header "
+        "around it.");
 }
 
 QStringList messageFields(const ports::Frame& frame)
@@ -61,9 +60,14 @@ QStringList messageFields(const ports::Frame& frame)
 
 QStringList messageFieldNames()
 {
-    return {tr("Time"),     tr("Direction"), tr("Round trip (ms)"),
-            tr("Message"),  tr("Bytes"),     tr("Reconstructed leading bytes"),
-            tr("Protocol"), tr("Sensor")};
+    return {MessageTexts::tr("Time"),
+            MessageTexts::tr("Direction"),
+            MessageTexts::tr("Round trip (ms)"),
+            MessageTexts::tr("Message"),
+            MessageTexts::tr("Bytes"),
+            MessageTexts::tr("Reconstructed leading bytes"),
+            MessageTexts::tr("Protocol"),
+            MessageTexts::tr("Sensor")};
 }
 
 QString csvLine(const QStringList& fields)

@@ -412,7 +412,7 @@ bool MessagesPage::saveTo(const QString& path)
         frames.append(d->model.frameAt(row));
     const auto saved = saveMessages(path, frames);
     if (saved)
-        d->sayResult(tr("%n message(s) saved in %1.", nullptr, int(frames.size())).arg(path), false);
+        d->sayResult(tr("Saved in %1. Messages: %2").arg(path).arg(frames.size()), false);
     else
         d->sayResult(
             tr("The messages could not be saved in %1: %2. Choose another folder, or make room there.")

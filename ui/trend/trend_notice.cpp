@@ -1,9 +1,8 @@
 #include "trend_notice.h"
 
 #include "sentences.h"
+#include "trend_texts.h"
 #include "trend_ticks.h"
-
-#include <QCoreApplication>
 
 namespace lds::ui {
 
@@ -11,8 +10,6 @@ using sensor::Connection;
 using sensor::SensorSession;
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("lds::ui::TrendPage", text); }
 
 QString disconnectedDetail(const SensorSession& session)
 {
@@ -27,14 +24,14 @@ QString disconnectedDetail(const SensorSession& session)
     case Connection::Reading:
     case Connection::Ready:
         if (!hasData)
-            return tr("The line starts with the first value.");
+            return TrendTexts::tr("The line starts with the first value.");
         break;
     }
     if (!hasData)
-        return tr("Connect to the sensor to watch its measured value here.");
+        return TrendTexts::tr("Connect to the sensor to watch its measured value here.");
     const auto& trend = session.trend();
     const qint64 wallMs = trend.at(trend.size() - 1).wallMs;
-    return tr("Nothing measured since %1.").arg(clockText(wallMs * 1'000'000, 1'000'000'000));
+    return TrendTexts::tr("Nothing measured since %1.").arg(clockText(wallMs * 1'000'000, 1'000'000'000));
 }
 
 TrendLimit limitOf(const SensorSession& session, catalog::ItemId id, const QString& name)
@@ -49,7 +46,7 @@ TrendLimit limitOf(const SensorSession& session, catalog::ItemId id, const QStri
         limit.heldText = QStringLiteral("%1 %2").arg(name, text(*limit.held));
     if (const auto edit = session.pending().find(id)) {
         limit.wanted = edit->wanted;
-        limit.wantedText = tr("%1 %2, not applied yet").arg(name, text(edit->wanted));
+        limit.wantedText = TrendTexts::tr("%1 %2, not applied yet").arg(name, text(edit->wanted));
     }
     return limit;
 }
@@ -59,17 +56,19 @@ TrendLimit limitOf(const SensorSession& session, catalog::ItemId id, const QStri
 TrendNotice noticeFor(const SensorSession* session)
 {
     if (!session)
-        return {tr("No sensor"), tr("Connect to a sensor to watch its measured value here.")};
+        return {TrendTexts::tr("No sensor"),
+                TrendTexts::tr("Connect to a sensor to watch its measured value here.")};
     if (session->connection() != Connection::Ready)
         return {connectionWord(session->connection()), disconnectedDetail(*session)};
     if (session->isSensorNotReady())
-        return {tr("Sensor not ready"),
-                tr("It is in its menu, or saving. The line goes on when it measures again.")};
+        return {TrendTexts::tr("Sensor not ready"),
+                TrendTexts::tr("It is in its menu, or saving. The line goes on when it measures again.")};
     if (session->trend().isEmpty())
-        return {tr("Waiting for the first value"), tr("The line starts as soon as the sensor answers.")};
+        return {TrendTexts::tr("Waiting for the first value"),
+                TrendTexts::tr("The line starts as soon as the sensor answers.")};
     const auto& latest = session->latest();
     if (latest && !(latest->state & measurement::LaserBit))
-        return {tr("Laser stopped"), tr("Switch the laser on to go on measuring.")};
+        return {TrendTexts::tr("Laser stopped"), TrendTexts::tr("Switch the laser on to go on measuring.")};
     return {};
 }
 

@@ -1,16 +1,14 @@
 #include "trend_painter.h"
 
 #include "theme.h"
+#include "trend_texts.h"
 
 #include <cmath>
-#include <QCoreApplication>
 #include <QPainter>
 
 namespace lds::ui {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("lds::ui::TrendChart", text); }
 
 /// Half a pixel off, so that a line one pixel wide is crisp.
 double crisp(double pixel) { return std::floor(pixel) + 0.5; }
@@ -53,7 +51,7 @@ void paintFrozen(QPainter& painter, const TrendScene& scene)
             continue;
         const QRectF stretch(plot.left() + left, plot.top(), right - left, plot.height());
         painter.fillRect(stretch, QBrush(faint(ColorRole::Warning, 70), Qt::BDiagPattern));
-        const QString word = tr("value frozen");
+        const QString word = TrendTexts::tr("value frozen");
         if (painter.fontMetrics().horizontalAdvance(word) + 8 > stretch.width())
             continue;
         painter.setPen(color(ColorRole::Warning));
@@ -85,7 +83,8 @@ void paintHeldLimit(QPainter& painter, const TrendScene& scene, const TrendLimit
     QFont font = painter.font();
     font.setBold(true);
     painter.setFont(font);
-    QString text = scene.limits.stale ? tr("%1 (last known)").arg(limit.heldText) : limit.heldText;
+    QString text =
+        scene.limits.stale ? TrendTexts::tr("%1 (last known)").arg(limit.heldText) : limit.heldText;
     const double height = painter.fontMetrics().height();
     double y = viewY(scene, *limit.held);
     if (isInside(scene, *limit.held)) {
@@ -179,7 +178,7 @@ void paintStates(QPainter& painter, const TrendScene& scene)
     const std::array<Row, TrendLayout::stateRows> rows{{{QStringLiteral("HI"), ColorRole::High},
                                                         {QStringLiteral("GO"), ColorRole::Go},
                                                         {QStringLiteral("LO"), ColorRole::Low},
-                                                        {tr("Alarm"), ColorRole::Warning}}};
+                                                        {TrendTexts::tr("Alarm"), ColorRole::Warning}}};
     for (int index = 0; index < TrendLayout::stateRows; ++index) {
         const QRectF row = scene.layout.stateRow(index);
         painter.setPen(color(ColorRole::Muted));

@@ -1,8 +1,8 @@
 #include "trend_scene.h"
 
+#include "trend_texts.h"
 #include "value_text.h"
 
-#include <QCoreApplication>
 #include <QFontMetrics>
 #include <QStringList>
 
@@ -14,8 +14,6 @@ constexpr int rowHeight = 14;
 // A pointer this near to a sample means that sample, where samples are further apart than pixels.
 constexpr int reach = 6;
 
-QString tr(const char* text) { return QCoreApplication::translate("lds::ui::TrendChart", text); }
-
 QString stateWords(const measurement::TrendColumn& column)
 {
     QStringList words;
@@ -26,9 +24,9 @@ QString stateWords(const measurement::TrendColumn& column)
     if (column.stateOr & measurement::LowBit)
         words += QStringLiteral("LO");
     if (column.stateOr & measurement::AlarmBit)
-        words += column.hasValue ? tr("alarm, value frozen") : tr("alarm");
+        words += column.hasValue ? TrendTexts::tr("alarm, value frozen") : TrendTexts::tr("alarm");
     else if (column.stateOr & measurement::IndeterminateBit)
-        words += tr("indeterminate");
+        words += TrendTexts::tr("indeterminate");
     return words.join(QStringLiteral(", "));
 }
 
@@ -66,7 +64,7 @@ std::optional<TrendReadout> readoutAt(const TrendScene& scene, double plotX)
     const qint64 resolution = scene.columns.columnNs >= 1'000'000'000 ? 1'000'000'000 : 1'000'000;
     readout.time = clockText(ns + scene.wallOffsetNs, resolution);
     if (!index) {
-        readout.value = tr("not measured");
+        readout.value = TrendTexts::tr("not measured");
         return readout;
     }
     const measurement::TrendColumn& column = scene.columns.columns[*index];
@@ -74,7 +72,7 @@ std::optional<TrendReadout> readoutAt(const TrendScene& scene, double plotX)
         return settings::lengthText(value, scene.decimals, settings::TextStyle::Typographic);
     };
     if (!column.hasValue)
-        readout.value = tr("no value");
+        readout.value = TrendTexts::tr("no value");
     else if (text(column.minimum) == text(column.maximum))
         readout.value = QStringLiteral("%1 mm").arg(text(column.minimum));
     else

@@ -1,10 +1,10 @@
 #include "trend_ticks.h"
 
+#include "trend_texts.h"
 #include "value_text.h"
 
 #include <array>
 #include <cmath>
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
 
@@ -117,7 +117,6 @@ QString clockText(qint64 wallNs, qint64 resolutionNs)
 
 QString durationText(qint64 ns)
 {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("Duration", text); };
     const auto number = [](double value, int decimals) {
         QString text = QLocale::c().toString(value, 'f', decimals);
         while (text.contains(QLatin1Char('.')) &&
@@ -125,21 +124,25 @@ QString durationText(qint64 ns)
             text.chop(1);
         return text;
     };
+    const auto rounded = [ns](qint64 unit) { return (ns + unit / 2) / unit * unit; };
     if (ns < second)
-        return tr("%1 ms").arg(number(double(ns) / double(ms), 0));
-    if (ns < minute)
-        return tr("%1 s").arg(number(double(ns) / double(second), 1));
+        return TrendTexts::tr("%1 ms").arg(number(double(ns) / double(ms), 0));
+    if (rounded(100 * ms) < minute)
+        return TrendTexts::tr("%1 s").arg(number(double(ns) / double(second), 1));
     const auto two = [&](qint64 big, const char* one, qint64 small, const char* both) {
-        const qint64 rest = ns % big / small;
-        return rest == 0 ? tr(one).arg(ns / big) : tr(both).arg(ns / big).arg(rest);
+        const qint64 whole = rounded(small);
+        const qint64 rest = whole % big / small;
+        return rest == 0 ? TrendTexts::tr(one).arg(whole / big)
+                         : TrendTexts::tr(both).arg(whole / big).arg(rest);
     };
-    if (ns < hour)
-        return two(minute, QT_TRANSLATE_NOOP("Duration", "%1 min"), second,
-                   QT_TRANSLATE_NOOP("Duration", "%1 min %2 s"));
-    if (ns < day)
-        return two(hour, QT_TRANSLATE_NOOP("Duration", "%1 h"), minute,
-                   QT_TRANSLATE_NOOP("Duration", "%1 h %2 min"));
-    return two(day, QT_TRANSLATE_NOOP("Duration", "%1 d"), hour, QT_TRANSLATE_NOOP("Duration", "%1 d %2 h"));
+    if (rounded(second) < hour)
+        return two(minute, QT_TRANSLATE_NOOP("lds::ui::TrendTexts", "%1 min"), second,
+                   QT_TRANSLATE_NOOP("lds::ui::TrendTexts", "%1 min %2 s"));
+    if (rounded(minute) < day)
+        return two(hour, QT_TRANSLATE_NOOP("lds::ui::TrendTexts", "%1 h"), minute,
+                   QT_TRANSLATE_NOOP("lds::ui::TrendTexts", "%1 h %2 min"));
+    return two(day, QT_TRANSLATE_NOOP("lds::ui::TrendTexts", "%1 d"), hour,
+               QT_TRANSLATE_NOOP("lds::ui::TrendTexts", "%1 d %2 h"));
 }
 
 } // namespace lds::ui
