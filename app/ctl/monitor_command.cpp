@@ -99,7 +99,8 @@ void MonitorCommand::onMeasured()
     const measurement::TrendStore& trend = session().trend();
     for (std::size_t index = 0; index < trend.size() && !isFinished(); ++index)
         print(trend.at(index));
-    session().clearTrend(); // printed; a command line may run for days
+    if (!trend.isEmpty())       // clearing tells measured() again
+        session().clearTrend(); // printed; a command line may run for days
 }
 
 void MonitorCommand::print(const measurement::Measurement& sample)

@@ -66,10 +66,25 @@ bool SetCommand::proveValues()
         });
         if (!possible) {
             console().message(error);
+            sayWhoseLimits(assignment, models.last());
             return false;
         }
     }
     return true;
+}
+
+/// Limits in a message are one type's; which one is taken for granted only when the URL says it.
+void SetCommand::sayWhoseLimits(const Assignment& assignment, SensorModel model)
+{
+    const auto& limits = catalog::hlG2(assignment.target.items.first()).limits;
+    const bool differ = std::ranges::any_of(limits, [&](const catalog::Limits& each) {
+        return each.minimum != limits.front().minimum || each.maximum != limits.front().maximum;
+    });
+    if (session().modelIsStated() || !differ)
+        return;
+    console().message(Texts::tr("These are the limits of the %1; each type has its own. Say which it is with "
+                                "?sensor=TYPE in the URL.")
+                          .arg(QString::fromLatin1(session().catalog().model(model).typeName)));
 }
 
 void SetCommand::onReady()
@@ -91,20 +106,15 @@ bool SetCommand::readAllValues()
         const auto values = readValues(assignment, session().model());
         if (!values) {
             console().message(values.error());
-            if (!session().modelIsStated())
-                console().message(
-                    Texts::tr("The limits are those of the %1, the type that the sensor's settings "
-                              "look like. If it is another, say so: ?sensor=HL-G205B-S-MK in the URL.")
-                        .arg(QString::fromLatin1(session().catalog().model(session().model()).typeName)));
+            sayWhoseLimits(assignment, session().model());
             return false;
         }
         SetResult result{assignment.target, {}, {}, SetStatus::NotTried};
-        for (const WantedValue& value : *values) {
+        for (const WantedValue& value : *values)
             result.wanted.insert(value.item, value.effective);
-            if (const auto held = session().held(value.item))
-                result.before.insert(value.item, *held);
-        }
         m_report.add(result);
+        for (const WantedValue& value : *values)
+            m_report.noteBefore(value.item, session().heldValues());
         addStep(*values);
     }
     return true;
@@ -159,6 +169,8 @@ void SetCommand::next()
 {
     if (!m_steps.isEmpty()) {
         const Step step = m_steps.takeFirst();
+        for (const WantedValue& value : step.values)
+            m_report.noteBefore(value.item, session().heldValues());
         return step.isRun ? runItem(step.values.first()) : apply(step);
     }
     if (!line().save || m_isSaving)

@@ -26,8 +26,8 @@ private:
         bool isRun = false;
     };
 
-    /// Exit code when a value is wrong for every type this sensor may be.
     bool proveValues();
+    void sayWhoseLimits(const Assignment& assignment, catalog::SensorModel model);
     bool readAllValues();
     void addStep(const QList<WantedValue>& values);
     bool refuseUnreachable();

@@ -72,6 +72,13 @@ SetResult* SetReport::find(catalog::ItemId item)
     return found == m_results.end() ? nullptr : &*found;
 }
 
+void SetReport::noteBefore(catalog::ItemId item, const settings::Values& held)
+{
+    SetResult* result = find(item);
+    if (result && held.contains(item))
+        result->before.insert(item, held.value(item));
+}
+
 void SetReport::mark(catalog::ItemId item, SetStatus status)
 {
     if (SetResult* result = find(item))

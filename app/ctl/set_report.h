@@ -30,6 +30,8 @@ struct SetResult {
 class SetReport {
 public:
     void add(const SetResult& result) { m_results.append(result); }
+    /// What the sensor held when the item's turn came: a bank switched before it changes that.
+    void noteBefore(catalog::ItemId item, const settings::Values& held);
     /// Sets the status of the result that the item belongs to. The worst of a group's items stands.
     void mark(catalog::ItemId item, SetStatus status);
     /// The settings that go out together, marked by how their apply went. `asked` are the items that
