@@ -2,7 +2,7 @@
 
 #include "sensor_session.h"
 
-#include <QPointer>
+#include <memory>
 #include <QWidget>
 
 namespace lds::ui {
@@ -17,10 +17,17 @@ public:
 
     void setSession(sensor::SensorSession* session); ///< nullptr: nothing connected.
     void focusFilter();
-    void showItem(catalog::ItemId item);             ///< Selects and scrolls to it.
+    void showItem(catalog::ItemId item); ///< Selects and scrolls to it, whatever the filter says.
+    /// Makes what stands in an open editor a pending edit. Call it before applying or closing. False when
+    /// there is text that is no value: the page shows it and says what to do.
+    bool finishEditing();
 
 Q_SIGNALS:
-    void commandRequested(lds::catalog::ItemId item, lds::catalog::Value value); ///< A switch was used in a row.
+    /// A switch, a command or a bank button was used. The page does not run it; it may need a question.
+    void commandRequested(lds::catalog::ItemId item, lds::catalog::Value value);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     struct Private;
