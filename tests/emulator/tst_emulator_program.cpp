@@ -1,3 +1,5 @@
+#include "emulator_process.h"
+
 #include <QFile>
 #include <QHostAddress>
 #include <QJsonArray>
@@ -15,40 +17,9 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-QString program() { return qEnvironmentVariable("LDS_BIN") + u"/lds-emulator"_s; }
+using Emulator = lds::test::EmulatorProcess;
 
-/// A running emulator that has said that it is ready.
-class Emulator {
-public:
-    explicit Emulator(const QStringList& arguments)
-    {
-        m_process.start(program(), arguments);
-        while (m_process.state() != QProcess::NotRunning && !m_process.canReadLine() &&
-               m_process.waitForReadyRead(20'000)) {
-        }
-        m_line = m_process.readLine();
-    }
-    ~Emulator()
-    {
-        m_process.kill();
-        m_process.waitForFinished();
-    }
-    const QByteArray& line() const { return m_line; }
-    QJsonObject ready() const { return QJsonDocument::fromJson(m_line).object(); }
-    QByteArray errors() { return m_process.readAllStandardError(); }
-    /// Exit code after a signal; −1 when it did not end properly.
-    int endWith(int signal)
-    {
-        ::kill(pid_t(m_process.processId()), signal);
-        if (!m_process.waitForFinished(20'000) || m_process.exitStatus() != QProcess::NormalExit)
-            return -1;
-        return m_process.exitCode();
-    }
-
-private:
-    QProcess m_process;
-    QByteArray m_line;
-};
+QString program() { return Emulator::program(); }
 
 QByteArray ask(quint16 port, const char* request)
 {
@@ -60,7 +31,7 @@ QByteArray ask(quint16 port, const char* request)
     return client.readAll();
 }
 
-quint16 port(const QJsonObject& ready, QLatin1StringView key) { return quint16(ready.value(key).toInt()); }
+quint16 port(const QJsonObject& ready, QLatin1StringView key) { return Emulator::port(ready, key); }
 
 void writeFile(const QString& path, const QByteArray& bytes)
 {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QJsonObject>
+#include <QProcess>
+#include <QStringList>
+
+namespace lds::test {
+
+/// The built lds-emulator (LDS_BIN) as a process of its own, waited for until it says that it is ready.
+/// Ended with the object.
+class EmulatorProcess {
+public:
+    explicit EmulatorProcess(const QStringList& arguments);
+    ~EmulatorProcess();
+
+    static QString program();
+    /// What it printed; an empty line when it did not get ready.
+    const QByteArray& line() const { return m_line; }
+    QJsonObject ready() const;
+    quint16 modbusPort() const { return port(ready(), QLatin1StringView("modbusPort")); }
+    static quint16 port(const QJsonObject& ready, QLatin1StringView key);
+    QByteArray errors() { return m_process.readAllStandardError(); }
+    /// Exit code after a signal; −1 when it did not end properly.
+    int endWith(int signal);
+
+private:
+    QProcess m_process;
+    QByteArray m_line;
+};
+
+} // namespace lds::test
