@@ -1,0 +1,58 @@
+#pragma once
+
+#include "message_log.h"
+#include "workspace.h"
+
+#include <memory>
+#include <QMainWindow>
+
+class QSettings;
+
+namespace lds::ui {
+
+/// The window: toolbar, sensors, readout, pages, status. What it is given must outlive it.
+class MainWindow final : public QMainWindow {
+    Q_OBJECT
+
+public:
+    MainWindow(sensor::Workspace& workspace, MessageLog& log, ports::Scheduler& scheduler,
+               QSettings& settings);
+    ~MainWindow() override;
+
+    enum class Page { Settings, Trend, Messages };
+    void showPage(Page page);
+    /// Offers "Try with a virtual sensor"; demoRequested() follows when it is chosen.
+    void offerDemo();
+    void openConnectDialog();
+    void openReview();
+
+Q_SIGNALS:
+    void demoRequested();
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void build();
+    void connectActions();
+    void connectCommandActions();
+    void connectViewActions();
+    void watchSession(sensor::SensorSession* session);
+    void setSession(sensor::SensorSession* session);
+    void updateActions();
+    void updateLaser();
+    void updateTitle();
+    void openRename();
+    void removeCurrent();
+    void chooseType();
+    void runOnCurrent(catalog::ItemId item, catalog::Value value);
+    void jumpTo(catalog::ItemId item);
+    void showAbout();
+    void restore();
+    void store();
+
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace lds::ui
