@@ -121,8 +121,12 @@ public:
 
     tl::expected<QList<Write>, PlanFailure> plan() const
     {
-        const std::optional<QList<Write>> way =
-            cheapestWay(m_model, m_items, only(m_current), only(m_goal.state), m_moves);
+        const Values start = only(m_current);
+        const Values end = only(m_goal.state);
+        // Most plans need no detour, and without them there is little to search.
+        std::optional<QList<Write>> way = cheapestWay(m_model, m_items, start, end, m_direct);
+        if (!way)
+            way = cheapestWay(m_model, m_items, start, end, m_direct + m_detours);
         if (!way)
             return tl::unexpected(PlanFailure{whatHoldsIt()});
         return *way;
@@ -141,9 +145,9 @@ private:
                 return;
             home << ItemValue{item, *value};
         }
-        m_moves << Move{home, costOfGoal};
+        m_direct << Move{home, costOfGoal};
         for (const Write& detour : detours)
-            m_moves << Move{detour, costOfDetours};
+            m_detours << Move{detour, costOfDetours};
     }
 
     Values only(const Values& state) const
@@ -159,9 +163,8 @@ private:
     QList<Refusal> whatHoldsIt() const
     {
         QList<Refusal> refusals;
-        for (const Move& move : m_moves) {
-            if (const auto next = apply(m_model, only(m_current), move.write);
-                !next && move.cost == costOfGoal)
+        for (const Move& move : m_direct) {
+            if (const auto next = apply(m_model, only(m_current), move.write); !next)
                 refusals << next.error();
         }
         return refusals;
@@ -171,7 +174,8 @@ private:
     const Values& m_current;
     const Goal& m_goal;
     QList<ItemId> m_items;
-    QList<Move> m_moves;
+    QList<Move> m_direct;
+    QList<Move> m_detours;
 };
 
 void addWindow(Cluster& cluster, SensorModel model)

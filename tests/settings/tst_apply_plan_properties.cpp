@@ -14,7 +14,7 @@ using namespace lds::catalog;
 
 namespace {
 
-constexpr int casesPerModel = 3'000;
+constexpr int casesPerModel = 2'000;
 
 /// What the person asked for, worked out without the planner: the sensor's values with the wanted ones,
 /// rounded down, laid over; and One Shot gone where a new hold mode takes it away (§4.3.4).
