@@ -73,10 +73,10 @@ void ModbusTcpLink::doOpen()
     if (m_report.state == LinkState::Opening || m_report.state == LinkState::Open)
         return;
     if (!m_connection) {
-        m_connection = std::make_unique<ModbusConnection>(m_url, *m_scheduler, m_recorder);
-        connect(m_connection.get(), &ModbusConnection::opened, this, &ModbusTcpLink::probe);
-        connect(m_connection.get(), &ModbusConnection::failed, this, &ModbusTcpLink::fail);
-        connect(m_connection.get(), &ModbusConnection::lost, this, [this](const QString& detail) {
+        m_connection = std::make_unique<TcpConnection>(m_url, *m_scheduler, m_recorder);
+        connect(m_connection.get(), &TcpConnection::opened, this, &ModbusTcpLink::probe);
+        connect(m_connection.get(), &TcpConnection::failed, this, &ModbusTcpLink::fail);
+        connect(m_connection.get(), &TcpConnection::lost, this, [this](const QString& detail) {
             if (m_report.state == LinkState::Open) // While opening, the probe's end has told already.
                 fail(OpenFailure::Lost, detail);
         });

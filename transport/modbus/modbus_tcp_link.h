@@ -2,11 +2,11 @@
 
 #include "frame_recorder.h"
 #include "item_registers.h"
-#include "modbus_connection.h"
 #include "poll_ticker.h"
 #include "request_queue.h"
 #include "scheduler.h"
 #include "sensor_link.h"
+#include "tcp_connection.h"
 
 #include <memory>
 #include <optional>
@@ -46,7 +46,7 @@ protected:
     void doPoll(int intervalMs) override;
 
 private:
-    using Exchange = ModbusConnection::Exchange;
+    using Exchange = TcpConnection::Exchange;
     using NextStep = void (ModbusTcpLink::*)(const Exchange&);
 
     /// The request that is under way; a read may take several messages.
@@ -87,7 +87,7 @@ private:
     const Timing m_timing;
     std::unique_ptr<ports::Scheduler> m_scheduler; ///< Before everything that uses it.
     FrameRecorder m_recorder;
-    std::unique_ptr<ModbusConnection> m_connection; ///< Made when opening, in the link's thread.
+    std::unique_ptr<TcpConnection> m_connection; ///< Made when opening, in the link's thread.
     scheduling::RequestQueue m_queue;
     scheduling::PollTicker m_ticker;
     ports::LinkReport m_report;

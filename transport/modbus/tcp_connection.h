@@ -24,7 +24,7 @@ namespace lds::modbus {
 /// cannot be trusted any more the connection is dropped and lost() says so.
 ///
 /// Everything happens in the thread that calls open().
-class ModbusConnection final : public QObject {
+class TcpConnection final : public QObject {
     Q_OBJECT
 
 public:
@@ -35,8 +35,8 @@ public:
     };
     using Ended = std::function<void(const Exchange&)>;
 
-    ModbusConnection(const ports::ConnectionUrl& url, ports::Scheduler& scheduler, FrameRecorder& recorder);
-    ~ModbusConnection() override; ///< Closes; no signal, no Ended.
+    TcpConnection(const ports::ConnectionUrl& url, ports::Scheduler& scheduler, FrameRecorder& recorder);
+    ~TcpConnection() override; ///< Closes; no signal, no Ended.
 
     void open(int timeoutMs); ///< Then opened() or failed(), once.
     /// Silent: no signal, no Ended. Does nothing when closed. `reason` is for the frame log.

@@ -1,4 +1,4 @@
-#include "modbus_connection.h"
+#include "tcp_connection.h"
 
 #include <QModbusReply>
 #include <QNetworkProxy>
@@ -18,6 +18,8 @@ OpenFailure openFailureOf(QAbstractSocket::SocketError error)
 {
     switch (error) {
     case QAbstractSocket::HostNotFoundError:
+    case QAbstractSocket::UnknownSocketError: // The socket was not even asked: QModbus found no host in the
+                                              // name.
         return OpenFailure::HostNotFound;
     case QAbstractSocket::ConnectionRefusedError:
         return OpenFailure::Refused;
@@ -62,16 +64,16 @@ Failure malformed(const QString& what) { return Failure{FailureCode::Malformed, 
 
 } // namespace
 
-ModbusConnection::ModbusConnection(const ports::ConnectionUrl& url, ports::Scheduler& scheduler,
-                                   FrameRecorder& recorder)
+TcpConnection::TcpConnection(const ports::ConnectionUrl& url, ports::Scheduler& scheduler,
+                             FrameRecorder& recorder)
     : m_url(url)
     , m_scheduler(scheduler)
     , m_recorder(recorder)
 {}
 
-ModbusConnection::~ModbusConnection() { close(); }
+TcpConnection::~TcpConnection() { close(); }
 
-void ModbusConnection::open(int timeoutMs)
+void TcpConnection::open(int timeoutMs)
 {
     Q_ASSERT(m_state == State::Closed);
     m_state = State::Opening;
@@ -85,19 +87,18 @@ void ModbusConnection::open(int timeoutMs)
                                      bare6 ? QLatin1Char('[') + m_url.host + QLatin1Char(']') : m_url.host);
     m_client->setConnectionParameter(QModbusDevice::NetworkPortParameter, m_url.port);
     socket()->setProxy(QNetworkProxy::NoProxy); // A sensor is on the machine's network, never behind a proxy.
-    connect(m_client, &QModbusDevice::stateChanged, this, &ModbusConnection::onStateChanged);
+    connect(m_client, &QModbusDevice::stateChanged, this, &TcpConnection::onStateChanged);
     // Connected after QModbus's own slot, so it runs after it: what that slot read and matched is there.
-    connect(socket(), &QIODevice::readyRead, this, &ModbusConnection::onReadyRead);
+    connect(socket(), &QIODevice::readyRead, this, &TcpConnection::onReadyRead);
 
     m_recorder.connecting();
     m_openTimeout = m_scheduler.after(timeoutMs, this, [this, timeoutMs] {
         failOpening(OpenFailure::NoAnswer, QStringLiteral("no connection within %1 ms").arg(timeoutMs));
     });
-    if (!m_client->connectDevice() && m_state == State::Opening)
-        failOpening(OpenFailure::HostNotFound, m_client->errorString());
+    m_client->connectDevice(); // Every failure, at once or later, comes as a change of state.
 }
 
-void ModbusConnection::close(const QString& reason)
+void TcpConnection::close(const QString& reason)
 {
     if (m_state == State::Closed)
         return;
@@ -107,7 +108,7 @@ void ModbusConnection::close(const QString& reason)
     release(reason);
 }
 
-void ModbusConnection::send(const Request& request, int timeoutMs, const Ended& ended)
+void TcpConnection::send(const Request& request, int timeoutMs, const Ended& ended)
 {
     Q_ASSERT(isOpen() && !isBusy());
     m_exchange = Pending{request, ended, m_nextTransaction, m_scheduler.nowNs(), 0};
@@ -124,7 +125,7 @@ void ModbusConnection::send(const Request& request, int timeoutMs, const Ended& 
     m_exchange->timeout = m_scheduler.after(timeoutMs, this, [this] { onTimeout(); });
 }
 
-void ModbusConnection::onStateChanged(QModbusDevice::State state)
+void TcpConnection::onStateChanged(QModbusDevice::State state)
 {
     if (state == QModbusDevice::ConnectedState)
         onConnected();
@@ -132,7 +133,7 @@ void ModbusConnection::onStateChanged(QModbusDevice::State state)
         onDisconnected();
 }
 
-void ModbusConnection::onConnected()
+void TcpConnection::onConnected()
 {
     m_scheduler.cancel(m_openTimeout);
     m_state = State::Open;
@@ -141,24 +142,26 @@ void ModbusConnection::onConnected()
     Q_EMIT opened();
 }
 
-void ModbusConnection::onDisconnected()
+void TcpConnection::onDisconnected()
 {
-    const QString words = socket()->errorString();
+    const QAbstractSocket::SocketError error = socket()->error();
+    const QString words =
+        error == QAbstractSocket::UnknownSocketError ? m_client->errorString() : socket()->errorString();
     if (m_state == State::Opening)
-        failOpening(openFailureOf(socket()->error()), words);
+        failOpening(openFailureOf(error), words);
     else if (m_state == State::Open) {
         stamp();
         drop(words, Failure{FailureCode::ConnectionLost, 0, words});
     }
 }
 
-void ModbusConnection::failOpening(OpenFailure failure, const QString& detail)
+void TcpConnection::failOpening(OpenFailure failure, const QString& detail)
 {
     release(detail);
     Q_EMIT failed(failure, detail);
 }
 
-void ModbusConnection::onReadyRead()
+void TcpConnection::onReadyRead()
 {
     if (!isOpen())
         return;
@@ -180,7 +183,7 @@ void ModbusConnection::onReadyRead()
 
 /// The bytes QModbus has just read, taken a second time. Every read on the socket is part of a transaction
 /// of QIODevice, which keeps the bytes until it is rolled back.
-QByteArray ModbusConnection::takeWhatQModbusRead()
+QByteArray TcpConnection::takeWhatQModbusRead()
 {
     QTcpSocket* const device = socket();
     const qint64 unread = device->bytesAvailable();
@@ -190,7 +193,7 @@ QByteArray ModbusConnection::takeWhatQModbusRead()
     return bytes;
 }
 
-void ModbusConnection::handle(const ReceivedFrame& frame)
+void TcpConnection::handle(const ReceivedFrame& frame)
 {
     // Late, or sent without being asked for: even an answer to a request that has not gone out yet.
     if (!m_exchange || frame.header.transaction != m_exchange->transaction || !m_reply ||
@@ -220,7 +223,7 @@ void ModbusConnection::handle(const ReceivedFrame& frame)
     }
 }
 
-void ModbusConnection::onTimeout()
+void TcpConnection::onTimeout()
 {
     stamp();
     const qint64 waitedNs = m_stampNs - m_exchange->sentNs;
@@ -236,7 +239,7 @@ void ModbusConnection::onTimeout()
     drop(QStringLiteral("an answer was cut short"), malformed(what));
 }
 
-void ModbusConnection::end(tl::expected<Response, Failure> result)
+void TcpConnection::end(tl::expected<Response, Failure> result)
 {
     const Pending exchange = *std::exchange(m_exchange, std::nullopt);
     m_scheduler.cancel(exchange.timeout);
@@ -246,13 +249,13 @@ void ModbusConnection::end(tl::expected<Response, Failure> result)
 }
 
 /// Taken before anything is decoded or told: a measurement carries this time.
-void ModbusConnection::stamp()
+void TcpConnection::stamp()
 {
     m_stampNs = m_scheduler.nowNs();
     m_stampWallMs = m_scheduler.wallMs();
 }
 
-void ModbusConnection::drop(const QString& reason, const Failure& failure)
+void TcpConnection::drop(const QString& reason, const Failure& failure)
 {
     release(reason);
     if (m_exchange)
@@ -260,7 +263,7 @@ void ModbusConnection::drop(const QString& reason, const Failure& failure)
     Q_EMIT lost(reason);
 }
 
-void ModbusConnection::release(const QString& reason)
+void TcpConnection::release(const QString& reason)
 {
     m_state = State::Closed;
     m_scheduler.cancel(m_openTimeout);
@@ -273,6 +276,6 @@ void ModbusConnection::release(const QString& reason)
     m_recorder.disconnected(reason);
 }
 
-QTcpSocket* ModbusConnection::socket() const { return qobject_cast<QTcpSocket*>(m_client->device()); }
+QTcpSocket* TcpConnection::socket() const { return qobject_cast<QTcpSocket*>(m_client->device()); }
 
 } // namespace lds::modbus
