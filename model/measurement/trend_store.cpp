@@ -42,6 +42,7 @@ void TrendStore::Node::add(const Node& later)
     }
     stateOr |= later.stateOr;
     hasGap |= later.hasGap;
+    hasFrozen = hasFrozen || later.hasFrozen;
 }
 
 TrendStore::TrendStore(qint64 longestJoinNs)
@@ -143,6 +144,7 @@ TrendStore::Node TrendStore::nodeOf(const Sample& sample)
     node.minimum = node.maximum = sample.value;
     node.stateOr = quint16(sample.packed & stateMask);
     node.hasValue = kindIn(sample.packed) == ValueKind::Valid;
+    node.hasFrozen = node.hasValue && (node.stateOr & AlarmBit) != 0;
     node.hasGap = !node.hasValue || ((sample.packed >> pauseShift) & 1) != 0;
     return node;
 }
@@ -245,6 +247,7 @@ TrendColumn TrendStore::column(std::size_t begin, std::size_t end,
     column.samples = quint32(end - begin);
     column.stateOr = sum.stateOr;
     column.hasValue = sum.hasValue;
+    column.hasFrozen = sum.hasFrozen;
     if (!sum.hasValue)
         return column;
     const std::size_t firstIndex = firstValue(first->level, first->index);

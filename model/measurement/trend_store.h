@@ -22,6 +22,8 @@ struct TrendColumn {
                             ///< Columns without a value are false.
     quint16 stateOr = 0;    ///< StateBits that were set at least once, in samples without a value too.
     quint32 samples = 0;    ///< With and without a value.
+    bool hasFrozen = false; ///< One of the values is frozen (§4.7.2); stateOr cannot tell, since an alarm
+                            ///< without a value in the same column sets the same bit.
     friend bool operator==(const TrendColumn&, const TrendColumn&) = default;
 };
 
@@ -77,7 +79,8 @@ private:
         Value minimum = 0; ///< With minimum and maximum meaningless unless hasValue.
         Value maximum = 0;
         quint16 stateOr = 0;
-        bool hasValue = false;
+        bool hasValue : 1 = false;
+        bool hasFrozen : 1 = false;
         bool hasGap = false; ///< A sample without a value, or one after a pause.
         void add(const Node& later);
     };

@@ -42,6 +42,7 @@ public:
             column.minimum = std::min(column.minimum, sample.value);
             column.maximum = std::max(column.maximum, sample.value);
             column.last = sample.value;
+            column.hasFrozen = column.hasFrozen || sample.isFrozen();
             seenValue = true;
             gap = false; // counts from this value on: it may be the column's last
         }

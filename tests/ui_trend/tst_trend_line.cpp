@@ -209,6 +209,18 @@ private Q_SLOTS:
         QVERIFY(frozenRuns(columns, scale).isEmpty());
     }
 
+    void aValueBesideAnAlarmWithoutOneIsNotFrozen()
+    {
+        TrendStore store;
+        for (int t = 0; t < 1000; t += 10)
+            store.append(t % 20 == 0 ? noValueAt(t) : valueAt(t, 5000));
+        const PlotScale scale{{0, 1000 * ms}, {0, 10'000}, 10, 100}; // both kinds in every column
+        const TrendColumns columns = readColumns(store, scale.span, 10);
+        QVERIFY(frozenRuns(columns, scale).isEmpty());
+        for (const TrendSegment& segment : lineSegments(columns, scale))
+            QVERIFY(!segment.frozen);
+    }
+
     void theReadoutTellsTimeExtremesAndState()
     {
         TrendScene scene;

@@ -5,7 +5,6 @@
 
 namespace lds::ui {
 
-using measurement::AlarmBit;
 using measurement::Measurement;
 using measurement::TrendColumn;
 using measurement::TrendStore;
@@ -19,8 +18,6 @@ bool joins(const Measurement& one, const Measurement& next)
 {
     return one.hasValue() && next.hasValue() && next.monotonicNs - one.monotonicNs <= longestJoinNs;
 }
-
-bool isFrozen(const TrendColumn& column) { return column.stateOr & AlarmBit; }
 
 /// Collects points into segments.
 class LineBuilder {
@@ -182,7 +179,7 @@ QList<TrendSegment> lineSegments(const TrendColumns& columns, const PlotScale& s
             line.breakLine();
         atStart = false;
         const qint64 ns = columns.middleNs(index);
-        const bool frozen = isFrozen(column);
+        const bool frozen = column.hasFrozen;
         const bool rising = column.first <= column.last;
         line.add(ns, rising ? column.minimum : column.maximum, frozen);
         if (column.minimum != column.maximum)
@@ -201,8 +198,7 @@ QList<PixelRun> stateRuns(const TrendColumns& columns, const PlotScale& scale, q
 
 QList<PixelRun> frozenRuns(const TrendColumns& columns, const PlotScale& scale)
 {
-    return runsWhere(columns, scale,
-                     [](const TrendColumn& column) { return column.hasValue && isFrozen(column); });
+    return runsWhere(columns, scale, [](const TrendColumn& column) { return column.hasFrozen; });
 }
 
 } // namespace lds::ui

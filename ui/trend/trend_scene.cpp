@@ -24,7 +24,7 @@ QString stateWords(const measurement::TrendColumn& column)
     if (column.stateOr & measurement::LowBit)
         words += QStringLiteral("LO");
     if (column.stateOr & measurement::AlarmBit)
-        words += column.hasValue ? TrendTexts::tr("alarm, value frozen") : TrendTexts::tr("alarm");
+        words += column.hasFrozen ? TrendTexts::tr("alarm, value frozen") : TrendTexts::tr("alarm");
     else if (column.stateOr & measurement::IndeterminateBit)
         words += TrendTexts::tr("indeterminate");
     return words.join(QStringLiteral(", "));
