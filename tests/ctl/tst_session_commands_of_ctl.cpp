@@ -379,7 +379,7 @@ private Q_SLOTS:
         QVERIFY2(ctl.err().contains(u"not known whether it was carried out"), qPrintable(ctl.err()));
     }
 
-    void aCutWhileWritingEndsWithBothReasons()
+    void aCutWhileWritingIsUnknownAndNotRepeated()
     {
         Ctl ctl({u"set"_s, u"span=2"_s, u"--json"_s});
         ctl.sensor().setOnRequest([&](const ports::Request& request) {
@@ -392,6 +392,7 @@ private Q_SLOTS:
         settle();
         VERIFY_ENDED(ctl, 1);
         QCOMPARE(ctl.statuses(), QStringList({u"span unknown"_s}));
+        QCOMPARE(ctl.sensor().writesOf(ItemId::Span), 1);
         QVERIFY2(ctl.err().contains(u"was cut"), qPrintable(ctl.err()));
         QCOMPARE(ctl.sensor().openings(), 1);
     }
