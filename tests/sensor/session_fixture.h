@@ -97,6 +97,23 @@ public:
     QList<ItemId> conflicts;
 };
 
+/// Ten settings that no rule ties together, with other values than the factory's.
+inline const QList<settings::ItemValue> tenEdits{
+    {ItemId::SamplingFrequency, 2},  {ItemId::AverageTimes, 1},
+    {ItemId::Span, 20000},           {ItemId::Offset, 500},
+    {ItemId::DisplayDigit, 2},       {ItemId::DisplayInversion, 1},
+    {ItemId::AlarmDelayCount, 77},   {ItemId::OutputDelayTimerSetting, 7},
+    {ItemId::AlarmDigitalOutput, 1}, {ItemId::TeachingMode, 3},
+};
+
+inline QList<ItemId> itemsOf(const QList<settings::ItemValue>& values)
+{
+    QList<ItemId> items;
+    for (const auto& each : values)
+        items.append(each.item);
+    return items;
+}
+
 inline QList<ItemId> writtenItems(const QList<WriteResult>& results)
 {
     QList<ItemId> items;

@@ -130,6 +130,12 @@ void FakeSensor::deliver()
         answer(m_waiting.takeFirst().request);
 }
 
+void FakeSensor::deliverNewest()
+{
+    if (!m_waiting.isEmpty())
+        answer(m_waiting.takeLast().request);
+}
+
 void FakeSensor::deliverAll()
 {
     for (const Waiting& waiting : std::exchange(m_waiting, {}))

@@ -50,7 +50,8 @@ public:
     /// Holds every answer until deliver() or timeOut(). Requests are carried out when they are delivered.
     void holdAnswers(bool hold) { m_hold = hold; }
     int outstanding() const { return int(m_waiting.size()); }
-    void deliver(); ///< Answers the oldest request that waits.
+    void deliver();       ///< Answers the oldest request that waits.
+    void deliverNewest(); ///< The newest one first, as a link does whose queue knows urgencies.
     void deliverAll();
     void timeOut(); ///< Ends every waiting request as Unknown, NoAnswer.
     /// An answer to a request that has ended, or never was.
