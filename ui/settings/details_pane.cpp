@@ -108,8 +108,12 @@ DetailsPane::Notice DetailsPane::addNotice(QVBoxLayout* layout, const QString& o
     line->addWidget(notice.icon, 0, Qt::AlignTop);
     line->addWidget(notice.text, 1);
     column->addLayout(line);
+    auto* actions = new QHBoxLayout;
+    actions->setSpacing(Theme::unit);
     for (QPushButton* button : buttons)
-        column->addWidget(button);
+        actions->addWidget(button);
+    actions->addStretch(1);
+    column->addLayout(actions);
     layout->addWidget(notice.frame);
     return notice;
 }
@@ -161,10 +165,11 @@ void DetailsPane::applyTheme()
     paint(m_wrong, QStringLiteral("state-error"), ColorRole::Error, ColorRole::Panel);
     paint(m_conflict, QStringLiteral("conflict"), ColorRole::EditBar, ColorRole::Edit);
     paint(m_problem, QStringLiteral("state-warning"), ColorRole::EditBar, ColorRole::Edit);
-    paint(m_whyNot, QStringLiteral("info"), ColorRole::Line, ColorRole::Background);
+    paint(m_whyNot, QStringLiteral("info"), ColorRole::Muted, ColorRole::Background);
     setStyleSheet(
-        QStringLiteral("QScrollArea#details, QScrollArea#details > QWidget > QWidget { background: %1; }")
-            .arg(theme.color(ColorRole::Panel).name()));
+        QStringLiteral("QScrollArea#details { background: %1; border: none; border-left: 1px solid %2; }"
+                       "QScrollArea#details > QWidget > QWidget { background: %1; }")
+            .arg(theme.color(ColorRole::Panel).name(), theme.color(ColorRole::Line).name()));
 }
 
 const SettingRow* DetailsPane::row() const { return m_model.row(m_index); }
@@ -243,7 +248,8 @@ void DetailsPane::refreshSections(const SettingRow& row)
     m_sketch->setVisible(hasWindow(row) && session.held(ItemId::HighSetValue) &&
                          session.held(ItemId::LowSetValue));
     const bool hasItem = row.first();
-    m_change.heading->setText(RowFacts(row, session).isEdited() ? tr("CHANGE") : tr("VALUE"));
+    const RowFacts facts(row, session);
+    m_change.heading->setText(facts.isEdited() ? tr("CHANGE") : facts.isKnown() ? tr("VALUE") : tr("EFFECT"));
     show(m_change, hasItem ? detail_texts::change(row, session) : QStringList());
     show(m_values, hasItem ? detail_texts::rangeAndDefault(row, session) : QStringList());
     show(m_addresses, detail_texts::addresses(row));

@@ -6,11 +6,24 @@
 #include "row_painter.h"
 #include "settings_model.h"
 
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 
 namespace lds::ui {
+
+namespace {
+
+/// Also across windows: the list of a combo box is a window of its own, and still the combo box's.
+bool belongsTo(const QWidget* widget, const QWidget* editor)
+{
+    while (widget && widget != editor)
+        widget = widget->parentWidget();
+    return widget != nullptr;
+}
+
+} // namespace
 
 ItemDelegate::ItemDelegate(SettingsModel& model, QObject* parent)
     : QStyledItemDelegate(parent)
@@ -61,6 +74,8 @@ void ItemDelegate::setEditorData(QWidget* widget, const QModelIndex&) const
     widget->setProperty("loaded", true);
     if (const auto wrong = m_model.wrongInput(editor->row()); !wrong.text.isEmpty())
         editor->restore(wrong.text);
+    if (auto* number = qobject_cast<QAbstractSpinBox*>(widget))
+        number->selectAll(); // what is typed takes the place of what was there
 }
 
 void ItemDelegate::setModelData(QWidget* widget, QAbstractItemModel*, const QModelIndex&) const
@@ -154,8 +169,7 @@ bool ItemDelegate::eventFilter(QObject* watched, QEvent* event)
         // Another window, a menu or the list of choices: the person comes back to the editor.
         const bool comesBack = reason == Qt::ActiveWindowFocusReason || reason == Qt::PopupFocusReason ||
                                reason == Qt::MenuBarFocusReason;
-        QWidget* focus = QApplication::focusWidget();
-        if (comesBack || (focus && (focus == widget || widget->isAncestorOf(focus))))
+        if (comesBack || belongsTo(QApplication::focusWidget(), widget))
             return false;
         if (editor->isAcceptable()) {
             Q_EMIT commitData(widget);

@@ -32,7 +32,8 @@ QFont fontOf(const QStyleOptionViewItem& option, const QModelIndex& index)
     if (rowOf(index).isHeading() || (isNew && states.testFlag(SettingsModel::Edited)))
         font.setWeight(QFont::DemiBold);
     const bool notLive = states & (SettingsModel::Stale | SettingsModel::Missing);
-    if (index.column() == SettingsModel::InSensor && notLive)
+    const bool isWanted = states & (SettingsModel::Edited | SettingsModel::WrongText);
+    if (notLive && (index.column() == SettingsModel::InSensor || (isNew && !isWanted)))
         font.setItalic(true);
     return font;
 }
@@ -112,6 +113,7 @@ void paintButton(QPainter* painter, const QStyleOptionViewItem& option, const QM
     const QRect rect = buttonRect(option, index);
     const bool usable = !statesOf(index).testFlag(SettingsModel::Unusable);
     const bool hovered = usable && option.state.testFlag(QStyle::State_MouseOver);
+    painter->setFont(option.font);
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setPen(color(ColorRole::Line));
     painter->setBrush(color(hovered ? ColorRole::Hover : ColorRole::Panel));

@@ -53,7 +53,7 @@ QList<SettingRow::Order> SettingRow::orders(catalog::SensorModel model) const
     if (isProcedure && !item.isReadable())
         return {}; // a step inside a procedure
     if (item.kind == catalog::Kind::Trigger)
-        return {{0, QCoreApplication::translate("SettingsPage", "Execute"), true}};
+        return {{0, QCoreApplication::translate("SettingsPage", "Execute now"), true}};
     QList<Order> orders;
     for (const auto& choice : item.choices) {
         if (choice.models & catalog::maskOf(model)) {

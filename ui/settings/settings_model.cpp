@@ -57,6 +57,7 @@ void SettingsModel::follow()
     connect(m_session, &SensorSession::connectionChanged, this, &SettingsModel::everythingChanged);
     connect(m_session, &SensorSession::identityChanged, this, &SettingsModel::everythingChanged);
     connect(m_session, &SensorSession::busyChanged, this, &SettingsModel::everythingChanged);
+    connect(m_session, &SensorSession::readinessChanged, this, &SettingsModel::everythingChanged);
     connect(m_session, &QObject::destroyed, this, [this](const QObject* gone) {
         forget(gone);
         beginResetModel();
@@ -215,7 +216,9 @@ QString SettingsModel::displayText(const SettingRow& row, int column) const
     const RowFacts facts(row, *m_session);
     switch (column) {
     case InSensor:
-        return facts.isKnown() ? facts.heldText() : facts.missingWord();
+        if (facts.isKnown())
+            return facts.heldText();
+        return isStep(row) ? tr("step of a procedure") : facts.missingWord();
     case NewValue:
         return newValueText(row);
     case Unit:
@@ -236,6 +239,12 @@ QString SettingsModel::newValueText(const SettingRow& row) const
     return row.isSetting() ? RowFacts(row, *m_session).wantedText() : QString();
 }
 
+/// Belongs inside a procedure and means nothing outside it: shown, so that nothing seems to be missing.
+bool SettingsModel::isStep(const SettingRow& row) const
+{
+    return row.actsAtOnce() && row.orders(m_session->model()).isEmpty();
+}
+
 QString SettingsModel::buttonText(const SettingRow& row) const
 {
     const auto orders = row.orders(m_session->model());
@@ -243,7 +252,7 @@ QString SettingsModel::buttonText(const SettingRow& row) const
         return {};
     if (orders.size() == 1)
         return orders.constFirst().text;
-    return row.first()->isReadable() ? tr("Change") : tr("Choose");
+    return row.first()->isReadable() ? tr("Change now") : tr("Execute now");
 }
 
 QString SettingsModel::rangeColumnText(const SettingRow& row) const
@@ -252,8 +261,7 @@ QString SettingsModel::rangeColumnText(const SettingRow& row) const
     if (!row.actsAtOnce())
         return range;
     if (row.first()->role == catalog::Role::Procedure)
-        return row.orders(m_session->model()).isEmpty() ? tr("step of a procedure")
-                                                        : tr("starts a procedure");
+        return isStep(row) ? QString() : tr("starts a procedure");
     // A long list of choices says little when it is cut; the button lists them.
     return tr("acts at once");
 }

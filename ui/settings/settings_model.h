@@ -82,6 +82,7 @@ private:
     void forget(const QObject* session);
     QString displayText(const SettingRow& row, int column) const;
     QString newValueText(const SettingRow& row) const;
+    bool isStep(const SettingRow& row) const;
     QString buttonText(const SettingRow& row) const;
     QString rangeColumnText(const SettingRow& row) const;
     QString toolTip(const SettingRow& row, int column) const;

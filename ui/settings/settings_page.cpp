@@ -26,7 +26,7 @@ using sensor::SensorSession;
 
 namespace {
 constexpr int detailsWidth = 280;
-constexpr int narrowDetailsWidth = 240;
+constexpr int narrowDetailsWidth = 228;
 constexpr int narrowPage = 900; ///< Below it the details pane is slimmer.
 } // namespace
 
@@ -136,7 +136,7 @@ QWidget* SettingsPage::Private::buildBar()
     detailsButton->setCheckable(true);
     detailsButton->setChecked(true);
     detailsButton->setToolTip(tr("Show or hide the details of the chosen item (F1)"));
-    layout->addWidget(filterBox, 1);
+    layout->addWidget(filterBox, 3);
     layout->addWidget(changedOnly);
     layout->addStretch(1);
     layout->addWidget(banks);
@@ -266,8 +266,8 @@ void SettingsPage::Private::refreshStaleNote()
     staleNote->setText(
         session && session->connection() == sensor::Connection::Reading
             ? tr("Reading the settings; values in italics are the last ones known.")
-            : tr("Not connected. Values in italics are the last ones known, not what the sensor "
-                 "holds now. Edits are kept and written only when you apply them."));
+            : tr("Not connected: values in italics are the last ones known. Edits are kept, and written "
+                 "only when you apply them."));
     staleNote->setStyleSheet(QStringLiteral("background: %1; color: %2;")
                                  .arg(color(ColorRole::Edit).name(), color(ColorRole::Text).name()));
 }

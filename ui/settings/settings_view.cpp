@@ -17,8 +17,13 @@ namespace lds::ui {
 
 namespace {
 
-constexpr int narrowestItemColumn = 132;
+constexpr int narrowestItemColumn = 136;
+constexpr int comfortableItemColumn = 160;
+constexpr int narrowestValueColumn = 108;
 constexpr int widestValueColumn = 150;
+constexpr int narrowestRangeColumn = 140;
+constexpr int widestRangeColumn = 240;
+constexpr int narrowestDefaultColumn = 108;
 
 QModelIndex newValueOf(const QModelIndex& index) { return index.siblingAtColumn(SettingsModel::NewValue); }
 
@@ -35,7 +40,7 @@ SettingsView::SettingsView(QWidget* parent)
     setSelectionMode(SingleSelection);
     setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed | SelectedClicked);
     setExpandsOnDoubleClick(true);
-    setIndentation(14);
+    setIndentation(12);
     viewport()->setAttribute(Qt::WA_Hover);
     setTabKeyNavigation(false);
     setContextMenuPolicy(Qt::CustomContextMenu);
@@ -158,6 +163,8 @@ void SettingsView::closeEditor(QWidget* widget, QAbstractItemDelegate::EndEditHi
     const QWidget* focus = QApplication::focusWidget();
     const bool hadFocus = focus && (focus == widget || widget->isAncestorOf(focus));
     QTreeView::closeEditor(widget, hint);
+    if (widget == m_editor)
+        m_editor = nullptr;
     if (hadFocus)
         setFocus(); // the base class looks at the editor itself only, not at the fields in it
 }
@@ -222,18 +229,31 @@ void SettingsView::drawRow(QPainter* painter, const QStyleOptionViewItem& option
             continue;
         const QModelIndex cell = index.siblingAtColumn(column);
         QStyleOptionViewItem cellOption = option;
-        cellOption.rect = visualRect(cell);
-        const auto states = SettingsModel::RowStates(cell.data(SettingsModel::StateRole).toInt());
-        // The reason why there is no value needs the room of two columns, which are both empty then.
-        if (column == SettingsModel::InSensor && states.testFlag(SettingsModel::Missing) &&
-            !isButtonRow(cell))
-            cellOption.rect.setRight(visualRect(newValueOf(cell)).right());
+        cellOption.rect = paintedRect(cell);
         cellOption.state.setFlag(QStyle::State_MouseOver, look.hovered && cellOption.rect.contains(pointer));
         itemDelegate()->paint(painter, cellOption, cell);
     }
     if (model()->hasChildren(index.siblingAtColumn(0)))
         drawArrow(painter, index.siblingAtColumn(0));
     row_painter::paintRowFrame(painter, row, look);
+}
+
+QRect SettingsView::paintedRect(const QModelIndex& cell) const
+{
+    QRect rect = visualRect(cell);
+    const auto* row = cell.data(SettingsModel::RowRole).value<const SettingRow*>();
+    if (cell.column() == SettingsModel::Item) {
+        if (!row->menu)
+            rect.setLeft(visualRect(cell.siblingAtColumn(SettingsModel::Menu)).left() - Theme::unit);
+        if (row->isHeading())
+            rect.setRight(visualRect(cell.siblingAtColumn(SettingsModel::Unit)).right());
+    }
+    // The reason why there is no value needs the room of two columns, which are both empty then.
+    const auto states = SettingsModel::RowStates(cell.data(SettingsModel::StateRole).toInt());
+    if (cell.column() == SettingsModel::InSensor && states.testFlag(SettingsModel::Missing) &&
+        !isButtonRow(cell))
+        rect.setRight(visualRect(newValueOf(cell)).right());
+    return rect;
 }
 
 void SettingsView::drawArrow(QPainter* painter, const QModelIndex& index) const
@@ -262,31 +282,48 @@ void SettingsView::paintEvent(QPaintEvent* event)
                      Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, m_emptyText);
 }
 
+int SettingsView::wantedWidth(int column) const
+{
+    const QFontMetrics metrics(header()->font());
+    const QString title = model()->headerData(column, Qt::Horizontal).toString();
+    return qMax(sizeHintForColumn(column), metrics.horizontalAdvance(title) + 5 * row_painter::padding / 2);
+}
+
 void SettingsView::fitColumns()
 {
     if (!model() || model()->columnCount() < SettingsModel::ColumnCount)
         return;
-    QHeaderView* head = header();
-    const auto wanted = [this](int column) {
-        const QFontMetrics metrics(header()->font());
-        const QString title = model()->headerData(column, Qt::Horizontal).toString();
-        return qMax(sizeHintForColumn(column), metrics.horizontalAdvance(title) + 4 * row_painter::padding);
-    };
-    int fixed = sizeHintForColumn(SettingsModel::Menu);
-    head->setSectionResizeMode(QHeaderView::Interactive);
-    head->resizeSection(SettingsModel::Menu, fixed);
-    for (const int column : {SettingsModel::InSensor, SettingsModel::NewValue, SettingsModel::Unit}) {
-        const int width = qMin(wanted(column), widestValueColumn);
-        head->resizeSection(column, width);
-        fixed += width;
+    const int menu = sizeHintForColumn(SettingsModel::Menu);
+    const int unit = wantedWidth(SettingsModel::Unit);
+    int held = qMin(wantedWidth(SettingsModel::InSensor), widestValueColumn);
+    int wanted = qMin(wantedWidth(SettingsModel::NewValue), widestValueColumn);
+    int room = viewport()->width() - menu - unit;
+    const bool roomy = room >= comfortableItemColumn + held + wanted;
+    room -= roomy ? comfortableItemColumn : narrowestItemColumn;
+    // The values come first; what they leave goes to the range, then to the default.
+    if (room < held + wanted) {
+        held = qBound(narrowestValueColumn, room / 2, held);
+        wanted = qBound(narrowestValueColumn, room - held, wanted);
     }
-    const int range = qMin(wanted(SettingsModel::Range), 220);
-    const int standard = qMin(wanted(SettingsModel::Default), 140);
-    const bool roomy = viewport()->width() >= fixed + narrowestItemColumn + range + standard;
-    setColumnHidden(SettingsModel::Range, !roomy);
-    setColumnHidden(SettingsModel::Default, !roomy);
-    head->resizeSection(SettingsModel::Range, range);
-    head->resizeSection(SettingsModel::Default, standard);
+    room -= held + wanted;
+    const auto fit = [this, &room](int column, int least, int most) {
+        const int width = qBound(least, room, qBound(least, wantedWidth(column), most));
+        const bool fits = room >= width;
+        setColumnHidden(column, !fits);
+        header()->resizeSection(column, width);
+        if (fits)
+            room -= width;
+    };
+    QHeaderView* head = header();
+    head->setSectionResizeMode(QHeaderView::Interactive);
+    head->resizeSection(SettingsModel::Menu, menu);
+    head->resizeSection(SettingsModel::InSensor, held);
+    head->resizeSection(SettingsModel::NewValue, wanted);
+    head->resizeSection(SettingsModel::Unit, unit);
+    room -= narrowestDefaultColumn; // the default is short and says much: it goes before a wide range
+    fit(SettingsModel::Range, narrowestRangeColumn, widestRangeColumn);
+    room += narrowestDefaultColumn;
+    fit(SettingsModel::Default, narrowestDefaultColumn, widestValueColumn);
     head->setSectionResizeMode(SettingsModel::Item, QHeaderView::Stretch);
 }
 

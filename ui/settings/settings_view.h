@@ -46,6 +46,9 @@ protected Q_SLOTS:
     void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
 
 private:
+    int wantedWidth(int column) const;
+    /// Where a cell is painted: over its empty neighbours where its text needs the room.
+    QRect paintedRect(const QModelIndex& cell) const;
     void drawArrow(QPainter* painter, const QModelIndex& index) const;
     QModelIndex nextRow(const QModelIndex& from, bool forward, bool editableOnly) const;
     bool isButtonRow(const QModelIndex& index) const;

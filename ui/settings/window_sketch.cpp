@@ -21,7 +21,7 @@ constexpr int liveWidth = 6;
 
 QString lengthOf(const SensorSession& session, ItemId id, qint64 value)
 {
-    return displayValueWithUnit(session.catalog().item(id), session.model(), catalog::Value(value));
+    return displayValue(session.catalog().item(id), session.model(), catalog::Value(value));
 }
 
 } // namespace
@@ -33,14 +33,16 @@ struct WindowSketch::Scale {
     qint64 low = 0;
     qint64 hysteresis = 0;
 
-    qreal margin() const { return area.height() / 5; }
-    qreal y(qint64 value) const
+    qreal margin() const { return area.height() / 4; }
+    qreal place(qint64 value) const ///< May lie outside the area.
     {
         const qint64 top = std::max(high, low);
         const qint64 bottom = std::min(high, low);
         const qreal unit = (area.height() - 2 * margin()) / qreal(std::max<qint64>(top - bottom, 1));
-        return std::clamp(area.top() + margin() + qreal(top - value) * unit, area.top(), area.bottom());
+        return area.top() + margin() + qreal(top - value) * unit;
     }
+    bool shows(qint64 value) const { return place(value) >= area.top() && place(value) <= area.bottom(); }
+    qreal y(qint64 value) const { return std::clamp(place(value), area.top(), area.bottom()); }
 };
 
 WindowSketch::WindowSketch(QWidget* parent)
@@ -50,7 +52,7 @@ WindowSketch::WindowSketch(QWidget* parent)
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
-QSize WindowSketch::sizeHint() const { return {240, 100 + 2 * labelHeight}; }
+QSize WindowSketch::sizeHint() const { return {240, 120}; }
 
 void WindowSketch::setSession(SensorSession* session)
 {
@@ -75,7 +77,7 @@ void WindowSketch::paintEvent(QPaintEvent*)
     if (!values.contains(ItemId::HighSetValue) || !values.contains(ItemId::LowSetValue))
         return;
     Scale scale;
-    scale.area = QRectF(0, labelHeight, width(), height() - 2 * labelHeight);
+    scale.area = QRectF(rect());
     scale.high = values.value(ItemId::HighSetValue);
     scale.low = values.value(ItemId::LowSetValue);
     scale.hysteresis = values.value(ItemId::Hysteresis);
@@ -121,15 +123,19 @@ void WindowSketch::paintHeld(QPainter& painter, const Scale& scale) const
         const auto held = m_session->held(id);
         if (!held || !m_session->pending().find(id))
             continue;
-        const qreal y = scale.y(*held);
+        const QString text = tr("now %1").arg(lengthOf(*m_session, id, *held));
+        const bool high = id == ItemId::HighSetValue;
+        const qreal y = high ? scale.y(scale.high) - labelHeight : scale.y(scale.low) + 1;
+        const QRectF label(scale.area.left() + 4, y, scale.area.width() - 8, labelHeight);
         painter.setPen(QPen(color(ColorRole::Muted), 1, Qt::DashLine));
-        painter.drawLine(QPointF(scale.area.left(), y), QPointF(scale.area.right(), y));
-        const bool up = y < scale.area.center().y();
-        const QRectF label(scale.area.left() + 4, up ? y : y - labelHeight, scale.area.width() - 8,
-                           labelHeight);
-        painter.setPen(color(ColorRole::Muted));
-        painter.drawText(label, Qt::AlignRight | Qt::AlignVCenter,
-                         tr("now %1").arg(lengthOf(*m_session, id, *held)));
+        // Too far away for the picture: an arrow says where.
+        if (scale.shows(*held))
+            painter.drawLine(QPointF(scale.area.left(), scale.y(*held)),
+                             QPointF(scale.area.right(), scale.y(*held)));
+        const QString arrow = scale.shows(*held)                        ? QString()
+                              : *held > std::max(scale.high, scale.low) ? QStringLiteral("↑ ")
+                                                                        : QStringLiteral("↓ ");
+        painter.drawText(label, Qt::AlignRight | Qt::AlignVCenter, arrow + text);
     }
 }
 
@@ -141,7 +147,6 @@ void WindowSketch::paintTrace(QPainter& painter, const Scale& scale) const
         return; // nothing live to show
     const int count = std::max(1, int(scale.area.width()) - liveWidth);
     const auto columns = trend.columns(trend.lastNs() - tracedNs, trend.lastNs() + 1, count);
-    painter.setPen(QPen(color(ColorRole::Series), 1.5));
     QPainterPath line;
     bool joined = false;
     for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -150,18 +155,31 @@ void WindowSketch::paintTrace(QPainter& painter, const Scale& scale) const
             continue;
         const qreal x = scale.area.left() + qreal(i);
         if (!joined || column.gapBefore)
-            line.moveTo(x, scale.y(column.first));
-        line.lineTo(x, scale.y(column.minimum));
-        line.lineTo(x, scale.y(column.maximum));
-        line.lineTo(x, scale.y(column.last));
+            line.moveTo(x, scale.place(column.first));
+        for (const auto value : {column.first, column.minimum, column.maximum, column.last})
+            line.lineTo(x, scale.place(value));
         joined = true;
     }
-    painter.setBrush(Qt::NoBrush);
+    painter.save();
+    painter.setClipRect(scale.area);
+    painter.setPen(QPen(color(ColorRole::Series), 1.5));
     painter.drawPath(line);
-    if (latest->hasValue()) {
-        painter.setBrush(color(ColorRole::Series));
-        painter.drawEllipse(QPointF(scale.area.left() + count, scale.y(latest->value)), 2.5, 2.5);
+    painter.restore();
+    if (latest->hasValue())
+        paintLatest(painter, scale, latest->value);
+}
+
+void WindowSketch::paintLatest(QPainter& painter, const Scale& scale, catalog::Value value) const
+{
+    const QPointF at(scale.area.right() - liveWidth, scale.y(value));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(color(ColorRole::Series));
+    if (scale.shows(value)) {
+        painter.drawEllipse(at, 2.5, 2.5);
+        return;
     }
+    const qreal way = value > std::max(scale.high, scale.low) ? -1 : 1; // beyond the picture, up or down
+    painter.drawPolygon(QPolygonF{at + QPointF(0, way * 6), at + QPointF(-4, 0), at + QPointF(4, 0)});
 }
 
 QString WindowSketch::spokenText(qint64 high, qint64 low) const

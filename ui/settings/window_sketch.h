@@ -26,6 +26,7 @@ private:
     void paintWindow(QPainter& painter, const Scale& scale) const;
     void paintHeld(QPainter& painter, const Scale& scale) const;
     void paintTrace(QPainter& painter, const Scale& scale) const;
+    void paintLatest(QPainter& painter, const Scale& scale, catalog::Value value) const;
     QString spokenText(qint64 high, qint64 low) const;
 
     QPointer<sensor::SensorSession> m_session;
