@@ -120,7 +120,8 @@ void TrendChart::updateFrame(qint64 nowNs)
     scale.range = m_view->values.range();
     updateWallOffset(scale.span);
     prepareTicks();
-    m_series.show(lineSegments(m_scene.columns, scale));
+    const bool dense = m_series.show(lineSegments(m_scene.columns, scale));
+    setRenderHint(QPainter::Antialiasing, !dense);
     const std::array bits{measurement::HighBit, measurement::GoBit, measurement::LowBit,
                           measurement::AlarmBit};
     for (std::size_t row = 0; row < bits.size(); ++row)

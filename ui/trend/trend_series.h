@@ -4,6 +4,8 @@
 
 #include <QLineSeries>
 #include <QList>
+#include <QPen>
+#include <QSizeF>
 
 class QChart;
 class QValueAxis;
@@ -21,19 +23,26 @@ public:
 
     void setPlotSize(const QSizeF& size);
     void setColors(const QColor& live, const QColor& frozen);
-    void show(const QList<TrendSegment>& segments);
+    /// True when the line was so dense that antialiasing it would only cost time.
+    bool show(const QList<TrendSegment>& segments);
     const QList<QLineSeries*>& pool() const { return m_pool; }
 
 private:
     QLineSeries* addSeries();
+    bool isDense(const QList<TrendSegment>& segments) const;
+    void updatePens();
 
     QChart& m_chart;
     QValueAxis* m_x;
     QValueAxis* m_y;
     QList<QLineSeries*> m_pool;
     QList<bool> m_isFrozen; ///< The pen each series has.
+    QSizeF m_plotSize;
+    QColor m_liveColor;
+    QColor m_frozenColor;
     QPen m_live;
     QPen m_frozen;
+    bool m_dense = false;
 };
 
 } // namespace lds::ui
