@@ -102,7 +102,8 @@ public:
         , m_goal(goal)
     {}
 
-    /// One item, with values it may take on the way.
+    /// One item, with values it may take on the way. A detour of an item that could not be put back, since
+    /// what it holds is finer than the resolution or out of range, never leads to the goal.
     void add(ItemId item, const QList<Value>& detours = {})
     {
         QList<Write> writes;
@@ -139,9 +140,7 @@ private:
         Write home;
         for (const ItemId item : items) {
             const std::optional<Value> value = known(m_goal.state, item);
-            // What could not be put back is not touched.
-            if (!value || judgeValue(m_model, {item, *value}) ||
-                effectiveValue(catalog::hlG2(item), m_model, *value) != *value)
+            if (!value)
                 return;
             home << ItemValue{item, *value};
         }
@@ -164,6 +163,11 @@ private:
     {
         QList<Refusal> refusals;
         for (const Move& move : m_direct) {
+            const bool isWanted =
+                std::any_of(move.write.begin(), move.write.end(),
+                            [this](const ItemValue& each) { return m_goal.changes.contains(each.item); });
+            if (!isWanted)
+                continue;
             if (const auto next = apply(m_model, only(m_current), move.write); !next)
                 refusals << next.error();
         }
