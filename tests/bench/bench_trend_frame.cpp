@@ -96,6 +96,7 @@ void trendFrame(benchmark::State& state)
     chart.setLimits(
         {{17'500, 18'000, QStringLiteral("HIGH +1.7500"), QStringLiteral("HIGH +1.8000, not applied yet")},
          {7'500, {}, QStringLiteral("LOW +0.7500"), {}},
+         false,
          false});
     chart.setSource(&store, &view);
     chart.setWindowLength(0);

@@ -13,7 +13,7 @@ private:
     lds::ports::ManualScheduler m_clock;
 
     void fit(TrendValueScale& scale, double low, double high,
-             const QList<lds::catalog::Value>& limits = {}) const
+             const TrendValueScale::Limits& limits = {}) const
     {
         scale.fit(Range{low, high}, limits, m_clock.nowNs());
     }
@@ -81,15 +81,32 @@ private Q_SLOTS:
     void limitsNearTheDataAreFittedIn()
     {
         TrendValueScale scale;
-        fit(scale, 10'000, 15'000, {17'500, 7'500});
+        fit(scale, 10'000, 15'000, {{17'500, 7'500}});
         QVERIFY(scale.range().low < 7'500);
         QVERIFY(scale.range().high > 17'500);
+    }
+
+    void aSteadyValueStandsInItsWindow()
+    {
+        TrendValueScale scale;
+        fit(scale, 12'000, 12'002, {{17'500, 7'500}});
+        QVERIFY(scale.range().low < 7'500 && scale.range().high > 17'500);
+        scale.setAutomatic();
+        fit(scale, 19'000, 19'002, {{17'500, 7'500}}); // just above it
+        QVERIFY(scale.range().low < 7'500 && scale.range().high > 19'000);
+    }
+
+    void aWindowFarOffIsLeftOut()
+    {
+        TrendValueScale scale;
+        fit(scale, 90'000, 90'100, {{17'500, 7'500}});
+        QVERIFY(scale.range().low > 80'000);
     }
 
     void limitsThatWouldFlattenTheLineAreLeftOut()
     {
         TrendValueScale scale;
-        fit(scale, 10'000, 10'200, {95'000, -95'000});
+        fit(scale, 10'000, 10'200, {{95'000, -95'000}, true});
         QVERIFY(scale.range().high < 11'000);
         QVERIFY(scale.range().low > 9'000);
     }
@@ -105,7 +122,7 @@ private Q_SLOTS:
     void withoutAValueTheLimitsAreShownUntilOneComes()
     {
         TrendValueScale scale;
-        scale.fit(std::nullopt, {17'500, 7'500}, m_clock.nowNs());
+        scale.fit(std::nullopt, {{17'500, 7'500}}, m_clock.nowNs());
         QVERIFY(scale.range().low < 7'500 && scale.range().high > 17'500);
         fit(scale, 100'000, 110'000);
         QVERIFY(scale.range().low > 50'000);
@@ -117,7 +134,7 @@ private Q_SLOTS:
         fit(scale, 10'000, 20'000);
         const Range before = scale.range();
         m_clock.advanceMs(10'000);
-        scale.fit(std::nullopt, {17'500, 7'500}, m_clock.nowNs());
+        scale.fit(std::nullopt, {{17'500, 7'500}}, m_clock.nowNs());
         QCOMPARE(scale.range(), before);
     }
 

@@ -36,7 +36,7 @@ struct SettingsPage::Private {
     {}
 
     SettingsPage& page;
-    SettingsModel model;
+    SettingsModel& model = *new SettingsModel(&page);
     SettingsFilter filter{model};
     ItemDelegate delegate{model, nullptr};
     RowMenus menus{model};
@@ -182,12 +182,16 @@ void SettingsPage::Private::connectAll()
     connect(details, &DetailsPane::takeSensorsRequested, &page,
             [this](const SettingRow* row) { menus.revert(*row); });
     connect(&filter, &QAbstractItemModel::rowsRemoved, &page, [this] { refreshEmptyText(); });
-    connect(&filter, &QAbstractItemModel::rowsInserted, &page, [this](const QModelIndex& parent) {
-        // A row that comes back does not arrive folded away.
-        if (parent.isValid() && filter.isActive())
-            view->expand(parent);
-        refreshEmptyText();
-    });
+    connect(&filter, &QAbstractItemModel::rowsInserted, &page,
+            [this](const QModelIndex& parent, int first, int last) {
+                // A row that comes back does not arrive folded away.
+                if (filter.isActive()) {
+                    view->expand(parent);
+                    for (int row = first; row <= last; ++row)
+                        view->expandRecursively(filter.index(row, 0, parent));
+                }
+                refreshEmptyText();
+            });
     connect(&Theme::instance(), &Theme::changed, &page, [this] { refreshStaleNote(); });
     auto* down = new QShortcut(Qt::Key_Down, filterBox);
     down->setContext(Qt::WidgetShortcut);

@@ -23,7 +23,8 @@ constexpr int narrowestValueColumn = 108;
 constexpr int widestValueColumn = 150;
 constexpr int narrowestRangeColumn = 140;
 constexpr int widestRangeColumn = 240;
-constexpr int narrowestDefaultColumn = 108;
+constexpr int narrowestDefaultColumn = 100;
+constexpr int widestDefaultColumn = 112;
 
 QModelIndex newValueOf(const QModelIndex& index) { return index.siblingAtColumn(SettingsModel::NewValue); }
 
@@ -297,33 +298,30 @@ void SettingsView::fitColumns()
     const int unit = wantedWidth(SettingsModel::Unit);
     int held = qMin(wantedWidth(SettingsModel::InSensor), widestValueColumn);
     int wanted = qMin(wantedWidth(SettingsModel::NewValue), widestValueColumn);
-    int room = viewport()->width() - menu - unit;
-    const bool roomy = room >= comfortableItemColumn + held + wanted;
-    room -= roomy ? comfortableItemColumn : narrowestItemColumn;
-    // The values come first; what they leave goes to the range, then to the default.
-    if (room < held + wanted) {
-        held = qBound(narrowestValueColumn, room / 2, held);
-        wanted = qBound(narrowestValueColumn, room - held, wanted);
+    const int room = viewport()->width() - menu - unit;
+    // The values come first, then the range, then the default; the item's name takes what is left.
+    if (room < narrowestItemColumn + held + wanted) {
+        held = qBound(narrowestValueColumn, (room - narrowestItemColumn) / 2, held);
+        wanted = qBound(narrowestValueColumn, room - narrowestItemColumn - held, wanted);
     }
-    room -= held + wanted;
-    const auto fit = [this, &room](int column, int least, int most) {
-        const int width = qBound(least, room, qBound(least, wantedWidth(column), most));
-        const bool fits = room >= width;
-        setColumnHidden(column, !fits);
-        header()->resizeSection(column, width);
-        if (fits)
-            room -= width;
-    };
+    const int spare = room - held - wanted;
+    const bool showRange = spare >= narrowestItemColumn + narrowestRangeColumn;
+    const bool showDefault = spare >= narrowestItemColumn + narrowestRangeColumn + narrowestDefaultColumn;
+    const int standard =
+        qBound(narrowestDefaultColumn, wantedWidth(SettingsModel::Default), widestDefaultColumn);
+    const int range =
+        qBound(narrowestRangeColumn, spare - comfortableItemColumn - (showDefault ? standard : 0),
+               qMin(wantedWidth(SettingsModel::Range), widestRangeColumn));
     QHeaderView* head = header();
     head->setSectionResizeMode(QHeaderView::Interactive);
     head->resizeSection(SettingsModel::Menu, menu);
     head->resizeSection(SettingsModel::InSensor, held);
     head->resizeSection(SettingsModel::NewValue, wanted);
     head->resizeSection(SettingsModel::Unit, unit);
-    room -= narrowestDefaultColumn; // the default is short and says much: it goes before a wide range
-    fit(SettingsModel::Range, narrowestRangeColumn, widestRangeColumn);
-    room += narrowestDefaultColumn;
-    fit(SettingsModel::Default, narrowestDefaultColumn, widestValueColumn);
+    setColumnHidden(SettingsModel::Range, !showRange);
+    setColumnHidden(SettingsModel::Default, !showDefault);
+    head->resizeSection(SettingsModel::Range, range);
+    head->resizeSection(SettingsModel::Default, standard);
     head->setSectionResizeMode(SettingsModel::Item, QHeaderView::Stretch);
 }
 

@@ -23,7 +23,8 @@ public:
     /// Before the rows go: what an editor holds is committed, or kept by the model when it is wrong.
     void releaseEditing();
     void editRow(const QModelIndex& index); ///< As F2 does; orders pop up their menu.
-    void setEmptyText(const QString& text); ///< Shown in the middle while there are no rows.
+    void setEmptyText(const QString& text); ///< Shown while there are no rows.
+    QString emptyText() const { return m_emptyText; }
     /// Widths from what the columns can hold; Range and Default go when there is little room.
     void fitColumns();
 

@@ -109,11 +109,11 @@ void TrendChart::updateFrame(qint64 nowNs)
     scale.span = m_view->time.span(stored);
     m_scene.columns = readColumns(*m_store, scale.span, std::max(1, int(scale.width)));
 
-    QList<catalog::Value> limits;
+    TrendValueScale::Limits limits{{}, m_scene.limits.sayLittle};
     for (const TrendLimit* limit : {&m_scene.limits.high, &m_scene.limits.low}) {
         for (const auto& value : {limit->held, limit->wanted}) {
             if (value)
-                limits.append(*value);
+                limits.values.append(*value);
         }
     }
     m_view->values.fit(valueRange(m_scene.columns), limits, nowNs);

@@ -74,8 +74,14 @@ TrendNotice noticeFor(const SensorSession* session)
 
 TrendLimits limitsOf(const SensorSession& session)
 {
-    return {limitOf(session, catalog::ItemId::HighSetValue, QStringLiteral("HIGH")),
-            limitOf(session, catalog::ItemId::LowSetValue, QStringLiteral("LOW")), session.isStale()};
+    TrendLimits limits;
+    limits.high = limitOf(session, catalog::ItemId::HighSetValue, QStringLiteral("HIGH"));
+    limits.low = limitOf(session, catalog::ItemId::LowSetValue, QStringLiteral("LOW"));
+    limits.stale = session.isStale();
+    // ± the measurement range: a window of that width leaves nothing out.
+    const catalog::Value range = session.catalog().model(session.model()).measurementRange;
+    limits.sayLittle = limits.high.held && limits.low.held && *limits.high.held - *limits.low.held >= range;
+    return limits;
 }
 
 } // namespace lds::ui

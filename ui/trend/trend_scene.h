@@ -25,7 +25,8 @@ struct TrendLimit {
 struct TrendLimits {
     TrendLimit high;
     TrendLimit low;
-    bool stale = false; ///< Last known, not necessarily what the sensor holds.
+    bool stale = false;     ///< Last known, not necessarily what the sensor holds.
+    bool sayLittle = false; ///< The window is as wide as from the factory: nobody has set it yet.
     friend bool operator==(const TrendLimits&, const TrendLimits&) = default;
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 using Range = TrendValueScale::Range;
 
-// The line fills at least this part of the height, or HIGH and LOW are left out of the fit; once fitted
+// HIGH and LOW from far off are fitted in where the line still fills this part of the height; once fitted
 // in they stay until the line has become clearly flatter.
 constexpr double flattestToFitLimits = 1.0 / 10;
 constexpr double flattestToKeepLimits = 1.0 / 20;
@@ -43,7 +43,7 @@ Range united(const Range& one, const Range& other)
 
 } // namespace
 
-void TrendValueScale::fit(std::optional<Range> data, const QList<catalog::Value>& limits, qint64 nowNs)
+void TrendValueScale::fit(std::optional<Range> data, const Limits& limits, qint64 nowNs)
 {
     if (!m_automatic)
         return;
@@ -68,22 +68,25 @@ void TrendValueScale::fit(std::optional<Range> data, const QList<catalog::Value>
     }
 }
 
-Range TrendValueScale::wanted(std::optional<Range> data, const QList<catalog::Value>& limits)
+Range TrendValueScale::wanted(std::optional<Range> data, const Limits& limits)
 {
-    if (!data && limits.isEmpty())
-        return {-10'000, 10'000};
-    if (!data) {
-        const auto [low, high] = std::minmax_element(limits.begin(), limits.end());
-        return snapped(withRoom({double(*low), double(*high)}));
-    }
-    const Range bare = withRoom(*data);
-    Range all = *data;
-    for (const catalog::Value limit : limits)
-        all = united(all, {double(limit), double(limit)});
-    const Range full = withRoom(all);
+    if (limits.values.isEmpty())
+        return data ? snapped(withRoom(*data)) : Range{-10'000, 10'000};
+    const auto [low, high] = std::minmax_element(limits.values.begin(), limits.values.end());
+    const Range window{double(*low), double(*high)};
+    if (!data)
+        return snapped(withRoom(window));
+    m_limitsFitted = shouldFitLimits(*data, window, limits.sayLittle);
+    return snapped(withRoom(m_limitsFitted ? united(*data, window) : *data));
+}
+
+bool TrendValueScale::shouldFitLimits(const Range& data, const Range& window, bool sayLittle) const
+{
+    const bool about = data.high >= window.low - window.span() && data.low <= window.high + window.span();
+    if (about && !sayLittle)
+        return true;
     const double flattest = m_limitsFitted ? flattestToKeepLimits : flattestToFitLimits;
-    m_limitsFitted = !limits.isEmpty() && data->span() >= full.span() * flattest;
-    return snapped(m_limitsFitted ? full : bare);
+    return data.span() >= united(data, window).span() * flattest;
 }
 
 void TrendValueScale::setAutomatic()

@@ -12,8 +12,9 @@ namespace lds::ui {
 /// each sensor.
 ///
 /// Fitting widens at once, so that nothing is ever cut off, and narrows only after two seconds, so that
-/// the axis does not pump with every workpiece. HIGH and LOW are fitted in unless that would flatten the
-/// line; the painter then names them at the edge instead.
+/// the axis does not pump with every workpiece. HIGH and LOW are fitted in while the values are about
+/// them, so that a steady value stands quietly in its window; from far off, or with a window so wide that
+/// it says little, only where that does not flatten the line. The painter then names them at the edge.
 class TrendValueScale {
 public:
     struct Range {
@@ -30,8 +31,13 @@ public:
     const Range& range() const { return m_range; }
     bool isAutomatic() const { return m_automatic; }
 
+    struct Limits {
+        QList<catalog::Value> values;
+        bool sayLittle = false; ///< As far apart as from the factory.
+    };
+
     /// Does nothing when set by hand. `data`: what is seen now, nothing when no value is.
-    void fit(std::optional<Range> data, const QList<catalog::Value>& limits, qint64 nowNs);
+    void fit(std::optional<Range> data, const Limits& limits, qint64 nowNs);
     /// When the next fit() of the same data will narrow the axis; nothing when it will not.
     std::optional<qint64> narrowsAtNs() const { return m_narrowsAtNs; }
 
@@ -41,7 +47,8 @@ public:
     void setRange(const Range& range);         ///< By hand.
 
 private:
-    Range wanted(std::optional<Range> data, const QList<catalog::Value>& limits);
+    Range wanted(std::optional<Range> data, const Limits& limits);
+    bool shouldFitLimits(const Range& data, const Range& limits, bool sayLittle) const;
 
     Range m_range{-10'000, 10'000};
     bool m_automatic = true;

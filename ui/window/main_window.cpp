@@ -382,12 +382,20 @@ void MainWindow::openConnectDialog()
 
 void MainWindow::openReview()
 {
-    if (!d->session || d->reviewDialog)
+    if (!d->session || d->reviewDialog || !finishEditing())
         return;
     d->reviewDialog = new ReviewDialog(*d->session, this);
     connect(d->reviewDialog, &ReviewDialog::jumpRequested, this, &MainWindow::jumpTo);
     connect(d->reviewDialog, &ReviewDialog::applied, d->status, &StatusLine::say);
     d->reviewDialog->open();
+}
+
+bool MainWindow::finishEditing()
+{
+    if (d->settingsPage->finishEditing())
+        return true;
+    showPage(Page::Settings); // where the text that is no value says what to do
+    return false;
 }
 
 void MainWindow::openRename()
@@ -450,6 +458,10 @@ void MainWindow::store()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+    if (!d->leaving && !finishEditing()) {
+        event->ignore();
+        return;
+    }
     if (d->leaving || lossesOf(d->workspace.sessions()).isEmpty()) {
         store();
         event->accept();

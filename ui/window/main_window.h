@@ -42,6 +42,7 @@ private:
     void updateActions();
     void updateLaser();
     void updateTitle();
+    bool finishEditing(); ///< False when an open editor holds text that is no value.
     void openRename();
     void removeCurrent();
     void chooseType();
