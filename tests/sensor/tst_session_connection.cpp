@@ -177,6 +177,9 @@ private Q_SLOTS:
         f.openReady();
         f.edit(ItemId::HighSetValue, 20000);
         f.edit(ItemId::DisplayInversion, 1);
+        f.runAndSettle(ItemId::SetValueSaving, 0);
+        QCOMPARE(f.session->saved(), Saved::Saved);
+        f.sensor().forgetRequests();
         f.sensor().cut();
         settle();
         QCOMPARE(f.session->connection(), Connection::Reconnecting);
@@ -196,6 +199,20 @@ private Q_SLOTS:
         QCOMPARE(f.session->saved(), Saved::Unknown);
         f.passWalk();
         QCOMPARE(f.sensor().writes(), 0);
+    }
+
+    /// Whoever pulled the cable may have switched the sensor off as well.
+    void afterACutNobodyCanTellWhetherItIsSaved()
+    {
+        SessionFixture f;
+        f.openReady();
+        f.runAndSettle(ItemId::SetValueSaving, 0);
+        f.sensor().cut();
+        settle();
+        f.pass(500);
+        QVERIFY(f.session->isReady());
+        QVERIFY(f.external.isEmpty());
+        QCOMPARE(f.session->saved(), Saved::Unknown);
     }
 
     void closingEndsThePollsAndKeepsTheEdits()
