@@ -298,6 +298,7 @@ void ModbusResponderTest::multipleWriteOfHalfAFourByteItemWritesNothing()
 {
     QCOMPARE(code(writeMany(400101, {1})), 3);
     QCOMPARE(code(writeMany(400102, {0})), 3);
+    QCOMPARE(code(writeMany(400102, {0, 0})), 3);
     QCOMPARE(code(writeMany(400102, {0, 0, 0})), 3);
     QCOMPARE(code(writeMany(400115, {0, 10'000})), 3); // hold mode, then half of the span
     QCOMPARE(m_sensor->totalWriteCount(), 0);
