@@ -11,7 +11,6 @@ namespace lds::ctl {
 namespace {
 
 using catalog::SettingItem;
-using settings::ParseError;
 
 QString whyNotSettable(const Target& target)
 {

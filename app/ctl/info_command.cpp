@@ -43,13 +43,14 @@ QString InfoCommand::words(ItemId item)
 QStringList InfoCommand::setCoils(ItemId status)
 {
     // The four status registers hold the 64 coils in order (§5.2.5).
-    const int firstCoil = 16 * (int(status) - int(ItemId::SensorState));
+    constexpr std::size_t bitsPerRegister = 16;
+    const auto place = std::size_t(status) - std::size_t(ItemId::SensorState);
+    const auto coils = session().catalog().coils().subspan(place * bitsPerRegister, bitsPerRegister);
     const auto bits = quint16(session().held(status).value_or(0));
     QStringList keys;
-    for (int bit = 0; bit < 16; ++bit) {
-        const catalog::Coil& coil = session().catalog().coils()[std::size_t(firstCoil + bit)];
-        if ((bits & (1U << bit)) && !coil.reserved())
-            keys += QString::fromLatin1(coil.key);
+    for (std::size_t bit = 0; bit < bitsPerRegister; ++bit) {
+        if ((bits & (1U << bit)) && !coils[bit].reserved())
+            keys += QString::fromLatin1(coils[bit].key);
     }
     return keys;
 }

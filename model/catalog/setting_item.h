@@ -37,8 +37,8 @@ enum class Kind : quint8 {
 };
 
 enum class Access : quint8 { None, Read, Write, ReadWrite };
-enum class Scope : quint8 { Bank, Common };                       ///< Bank: one value for each bank (§4.2).
-enum class Effect : quint8 { AtOnce, AfterCommunicationReset };   ///< When a written value takes effect.
+enum class Scope : quint8 { Bank, Common };                     ///< Bank: one value for each bank (§4.2).
+enum class Effect : quint8 { AtOnce, AfterCommunicationReset }; ///< When a written value takes effect.
 
 /// Items that make one thing together and are judged together, so they are written in one message.
 enum class WriteGroup : quint8 { None, IpAddress, SubnetMask, DefaultGateway };
@@ -54,8 +54,8 @@ constexpr ModelMask maskOf(SensorModel model) { return ModelMask(1U << quint8(mo
 
 struct Choice {
     Value code;
-    const char* name;                  ///< Context "SettingItem"; resolved with tr in ui/ and app/ only.
-    ModelMask models = everyModel;     ///< The types that have this choice (display digit differs).
+    const char* name;              ///< Context "SettingItem"; resolved with tr in ui/ and app/ only.
+    ModelMask models = everyModel; ///< The types that have this choice (display digit differs).
 };
 
 /// The legal values for one sensor type, in wire units. For choices: the smallest and largest code.
@@ -81,11 +81,11 @@ struct EipBinding {
 /// Texts are English source texts in the context "SettingItem", marked with QT_TRANSLATE_NOOP.
 struct SettingItem {
     ItemId id;
-    const char* key;      ///< Stable name in files, JSON and the command line, lowerCamel.
-    int menu = 0;         ///< Menu number (§2.2), 0 when the sensor's menu does not have it.
-    const char* name;     ///< The manual's term.
-    const char* help;     ///< What it is and what to mind, in a person's words.
-    const char* section;  ///< Where the manual describes it, "4.4.1".
+    const char* key;     ///< Stable name in files, JSON and the command line, lowerCamel.
+    int menu = 0;        ///< Menu number (§2.2), 0 when the sensor's menu does not have it.
+    const char* name;    ///< The manual's term.
+    const char* help;    ///< What it is and what to mind, in a person's words.
+    const char* section; ///< Where the manual describes it, "4.4.1".
     Role role;
     Kind kind;
     Access access;
