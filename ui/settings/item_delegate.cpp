@@ -105,7 +105,7 @@ void ItemDelegate::destroyEditor(QWidget* widget, const QModelIndex&) const
     if (const RowEditor* editor = rowEditor(widget); editor && !editor->isAbandoned())
         keepWrongInput(*editor);
     widget->deleteLater();
-    Q_EMIT const_cast<ItemDelegate*>(this)->editorClosed();
+    Q_EMIT const_cast<ItemDelegate*>(this)->editorClosed(widget);
 }
 
 void ItemDelegate::keepWrongInput(const RowEditor& editor) const

@@ -33,8 +33,8 @@ Q_SIGNALS:
     void orderRequested(const QModelIndex& index); ///< The button of the row was pressed.
     void entered();                                ///< Committed with Enter: on to the next row.
     void tabbed(bool forward);                     ///< Committed with Tab: edit the next row.
-    void editorOpened(QWidget* editor) const;
-    void editorClosed() const;
+    void editorOpened(QWidget* editor);
+    void editorClosed(QWidget* editor); ///< It is about to be deleted.
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -209,10 +209,13 @@ void SettingsPage::setSession(SensorSession* session)
     d->banks->setSession(session);
     d->details->sessionChanged();
     d->view->expandAll();
-    d->view->fitColumns();
+    d->view->measureColumns(true);
     if (session) {
-        connect(session, &SensorSession::connectionChanged, this, [this] { d->refreshStaleNote(); });
-        connect(session, &SensorSession::identityChanged, this, [this] { d->view->fitColumns(); });
+        connect(session, &SensorSession::connectionChanged, this, [this] {
+            d->refreshStaleNote();
+            d->view->measureColumns();
+        });
+        connect(session, &SensorSession::identityChanged, this, [this] { d->view->measureColumns(); });
         connect(session, &QObject::destroyed, this, [this] {
             d->banks->setSession(nullptr);
             d->details->sessionChanged();
@@ -231,6 +234,8 @@ void SettingsPage::Private::filterChanged()
     filter.setText(filterBox->text());
     filter.setChangedOnly(changedOnly->isChecked());
     view->expandAll();
+    if (!filter.isActive())
+        view->measureColumns();
     if (current.isValid())
         select(current);
     if (!view->currentIndex().isValid() && filter.rowCount() > 0)

@@ -26,6 +26,9 @@ constexpr int widestRangeColumn = 240;
 constexpr int narrowestDefaultColumn = 100;
 constexpr int widestDefaultColumn = 112;
 
+/// At most `most`, but never less than `least`, even where the two contradict each other.
+int within(int least, int value, int most) { return qMax(least, qMin(value, most)); }
+
 QModelIndex newValueOf(const QModelIndex& index) { return index.siblingAtColumn(SettingsModel::NewValue); }
 
 } // namespace
@@ -75,14 +78,19 @@ void SettingsView::setDelegate(ItemDelegate* delegate)
             edit(newValueOf(next), AnyKeyPressed, nullptr); // as typing does: no list pops up
         }
     });
+    // The base class's state does not do: it forgets an editor that stays open without the focus.
     connect(delegate, &ItemDelegate::editorOpened, this, [this](QWidget* editor) { m_editor = editor; });
+    connect(delegate, &ItemDelegate::editorClosed, this, [this](const QWidget* editor) {
+        if (editor == m_editor)
+            m_editor = nullptr;
+    });
     connect(
         delegate, &ItemDelegate::editorClosed, this,
         [this] {
-            if (state() != EditingState)
+            if (!m_editor)
                 Q_EMIT editingChanged({});
         },
-        Qt::QueuedConnection);
+        Qt::QueuedConnection); // rows may go then, which must not happen while an editor is being closed
 }
 
 QModelIndex SettingsView::nextRow(const QModelIndex& from, bool forward, bool editableOnly) const
@@ -122,7 +130,7 @@ bool SettingsView::edit(const QModelIndex& index, EditTrigger trigger, QEvent* e
     const QModelIndex cell = newValueOf(index);
     if (!QTreeView::edit(cell, trigger, event))
         return false;
-    if (state() == EditingState) {
+    if (m_editor) {
         Q_EMIT editingChanged(cell);
         auto* choices = qobject_cast<QComboBox*>(m_editor);
         if (choices && trigger != AnyKeyPressed)
@@ -137,14 +145,11 @@ void SettingsView::editRow(const QModelIndex& index)
     edit(index, EditKeyPressed, nullptr);
 }
 
-bool SettingsView::finishEditing()
-{
-    return !m_editor || state() != EditingState || m_delegate->finish(m_editor);
-}
+bool SettingsView::finishEditing() { return !m_editor || m_delegate->finish(m_editor); }
 
 void SettingsView::releaseEditing()
 {
-    if (!m_editor || state() != EditingState)
+    if (!m_editor)
         return;
     const RowEditor* editor = rowEditor(m_editor);
     if (editor && editor->isAcceptable()) {
@@ -173,7 +178,7 @@ void SettingsView::closeEditor(QWidget* widget, QAbstractItemDelegate::EndEditHi
 void SettingsView::pasteIntoRow()
 {
     editRow(currentIndex());
-    if (state() != EditingState || !m_editor || qobject_cast<QComboBox*>(m_editor))
+    if (!m_editor || qobject_cast<QComboBox*>(m_editor))
         return;
     QWidget* target = m_editor->focusProxy() ? m_editor->focusProxy() : m_editor.data();
     QKeyEvent paste(QEvent::KeyPress, Qt::Key_V, Qt::ControlModifier);
@@ -283,35 +288,60 @@ void SettingsView::paintEvent(QPaintEvent* event)
                      Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, m_emptyText);
 }
 
-int SettingsView::wantedWidth(int column) const
+void SettingsView::measureColumns(bool afresh)
 {
+    if (afresh)
+        m_widths.clear();
+    if (!model() || model()->columnCount() < SettingsModel::ColumnCount)
+        return;
+    m_widths.resize(SettingsModel::ColumnCount);
     const QFontMetrics metrics(header()->font());
-    const QString title = model()->headerData(column, Qt::Horizontal).toString();
-    return qMax(sizeHintForColumn(column), metrics.horizontalAdvance(title) + 5 * row_painter::padding / 2);
+    for (int column = 0; column < SettingsModel::ColumnCount; ++column) {
+        const QString title = model()->headerData(column, Qt::Horizontal).toString();
+        m_widths[column] =
+            qMax(m_widths[column], metrics.horizontalAdvance(title) + 5 * row_painter::padding / 2);
+    }
+    measureRows({}, 1);
+    fitColumns();
+}
+
+void SettingsView::measureRows(const QModelIndex& parent, int depth)
+{
+    QStyleOptionViewItem option;
+    initViewItemOption(&option);
+    for (int row = 0; row < model()->rowCount(parent); ++row) {
+        const QModelIndex first = model()->index(row, SettingsModel::Menu, parent);
+        for (int column = 0; column < SettingsModel::ColumnCount; ++column) {
+            const int indent = column == SettingsModel::Menu ? depth * indentation() : 0;
+            const QSize size = itemDelegate()->sizeHint(option, first.siblingAtColumn(column));
+            m_widths[column] = qMax(m_widths[column], size.width() + indent);
+        }
+        measureRows(first, depth + 1);
+    }
 }
 
 void SettingsView::fitColumns()
 {
-    if (!model() || model()->columnCount() < SettingsModel::ColumnCount)
+    if (m_widths.isEmpty())
         return;
-    const int menu = sizeHintForColumn(SettingsModel::Menu);
-    const int unit = wantedWidth(SettingsModel::Unit);
-    int held = qMin(wantedWidth(SettingsModel::InSensor), widestValueColumn);
-    int wanted = qMin(wantedWidth(SettingsModel::NewValue), widestValueColumn);
+    const int menu = m_widths[SettingsModel::Menu];
+    const int unit = m_widths[SettingsModel::Unit];
+    int held = qMin(m_widths[SettingsModel::InSensor], widestValueColumn);
+    int wanted = qMin(m_widths[SettingsModel::NewValue], widestValueColumn);
     const int room = viewport()->width() - menu - unit;
     // The values come first, then the range, then the default; the item's name takes what is left.
     if (room < narrowestItemColumn + held + wanted) {
-        held = qBound(narrowestValueColumn, (room - narrowestItemColumn) / 2, held);
-        wanted = qBound(narrowestValueColumn, room - narrowestItemColumn - held, wanted);
+        held = within(narrowestValueColumn, (room - narrowestItemColumn) / 2, held);
+        wanted = within(narrowestValueColumn, room - narrowestItemColumn - held, wanted);
     }
     const int spare = room - held - wanted;
     const bool showRange = spare >= narrowestItemColumn + narrowestRangeColumn;
     const bool showDefault = spare >= narrowestItemColumn + narrowestRangeColumn + narrowestDefaultColumn;
     const int standard =
-        qBound(narrowestDefaultColumn, wantedWidth(SettingsModel::Default), widestDefaultColumn);
+        within(narrowestDefaultColumn, m_widths[SettingsModel::Default], widestDefaultColumn);
     const int range =
-        qBound(narrowestRangeColumn, spare - comfortableItemColumn - (showDefault ? standard : 0),
-               qMin(wantedWidth(SettingsModel::Range), widestRangeColumn));
+        within(narrowestRangeColumn, m_widths[SettingsModel::Range],
+               qMin(widestRangeColumn, spare - comfortableItemColumn - (showDefault ? standard : 0)));
     QHeaderView* head = header();
     head->setSectionResizeMode(QHeaderView::Interactive);
     head->resizeSection(SettingsModel::Menu, menu);

@@ -25,8 +25,9 @@ public:
     void editRow(const QModelIndex& index); ///< As F2 does; orders pop up their menu.
     void setEmptyText(const QString& text); ///< Shown while there are no rows.
     QString emptyText() const { return m_emptyText; }
-    /// Widths from what the columns can hold; Range and Default go when there is little room.
-    void fitColumns();
+    /// Takes the columns' widths from the rows there are; they only grow, unless `afresh`, so that a
+    /// filter does not make them jump. Range and Default go when there is little room.
+    void measureColumns(bool afresh = false);
 
 Q_SIGNALS:
     void orderRequested(const QModelIndex& index);
@@ -47,7 +48,8 @@ protected Q_SLOTS:
     void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
 
 private:
-    int wantedWidth(int column) const;
+    void measureRows(const QModelIndex& parent, int depth);
+    void fitColumns();
     /// Where a cell is painted: over its empty neighbours where its text needs the room.
     QRect paintedRect(const QModelIndex& cell) const;
     void drawArrow(QPainter* painter, const QModelIndex& index) const;
@@ -58,6 +60,7 @@ private:
     ItemDelegate* m_delegate = nullptr;
     QPointer<QWidget> m_editor;
     QString m_emptyText;
+    QList<int> m_widths; ///< By column; empty before the first measuring.
     bool m_releasing = false;
 };
 
