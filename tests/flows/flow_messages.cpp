@@ -117,6 +117,46 @@ private Q_SLOTS:
         QVERIFY(f.says(QStringLiteral("2 of 2 shown")));
     }
 
+    void anEmptyListSaysWhy()
+    {
+        Fixture f;
+        QVERIFY(f.says(QStringLiteral("No messages yet")));
+        f.fill(2);
+        QVERIFY(!f.says(QStringLiteral("No messages yet")));
+        f.toggle(QStringLiteral("Failures only"));
+        QVERIFY(f.says(QStringLiteral("None of the recorded messages")));
+    }
+
+    void theSensorsColumnAppearsWithTheSecondSensor()
+    {
+        Fixture f;
+        f.fill(2);
+        QVERIFY(f.table->isColumnHidden(MessageModel::SensorColumn));
+        Frame other = read(400101, 400101);
+        other.peer = QStringLiteral("modbus-tcp://127.0.0.2:502");
+        f.log.record(other);
+        QTRY_COMPARE(f.rows(), 3);
+        QVERIFY(!f.table->isColumnHidden(MessageModel::SensorColumn));
+    }
+
+    void rowsStayInPlaceWhenOlderOnesGo()
+    {
+        Fixture f;
+        f.toggle(QStringLiteral("Hide polls"));
+        const MessageStore::Bounds bounds;
+        for (int i = 0; i < bounds.polls; ++i)
+            f.log.record(read(400011, 400022));
+        QTRY_COMPARE(f.rows(), bounds.polls);
+        QScrollBar* bar = f.table->verticalScrollBar();
+        QTRY_COMPARE(bar->value(), bar->maximum());
+        bar->setValue(5000);
+        const auto looked = f.page.model().keyAt(5000);
+        for (int i = 0; i < 100; ++i)
+            f.log.record(read(400011, 400022));
+        QTRY_VERIFY(f.rows() < bounds.polls);
+        QCOMPARE(f.page.model().rowOf(looked), std::optional(bar->value()));
+    }
+
     void typingFiltersAndTheChoicesNarrow()
     {
         Fixture f;

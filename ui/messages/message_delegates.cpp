@@ -8,21 +8,50 @@
 
 namespace lds::ui {
 
+namespace {
+
+constexpr int headingRoom = 2 * Theme::unit; ///< Around a heading, as the style sheet has it.
+
+const QStyle* styleOf(const QStyleOptionViewItem& item)
+{
+    return item.widget ? item.widget->style() : QApplication::style();
+}
+
+} // namespace
+
+void CellDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const
+{
+    QStyledItemDelegate::initStyleOption(option, index);
+    option->state.setFlag(QStyle::State_HasFocus, false);
+}
+
+/// The ground fills the cell; the text stands under its heading, which has more room around it.
+void CellDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                         const QModelIndex& index) const
+{
+    QStyleOptionViewItem item = option;
+    initStyleOption(&item, index);
+    const QStyle* style = styleOf(item);
+    style->drawPrimitive(QStyle::PE_PanelItemViewItem, &item, painter, item.widget);
+    const int margin = style->pixelMetric(QStyle::PM_FocusFrameHMargin, &item, item.widget) + 1;
+    item.rect.adjust(headingRoom - margin, 0, margin - headingRoom, 0);
+    item.state.setFlag(QStyle::State_Selected, false);
+    item.state.setFlag(QStyle::State_MouseOver, false);
+    style->drawControl(QStyle::CE_ItemViewItem, &item, painter, item.widget);
+}
+
 void BytesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const
 {
     QStyleOptionViewItem item = option;
     initStyleOption(&item, index);
-    item.text.clear();
-    const QStyle* style = item.widget ? item.widget->style() : QApplication::style();
-    style->drawControl(QStyle::CE_ItemViewItem, &item, painter, item.widget);
+    styleOf(item)->drawPrimitive(QStyle::PE_PanelItemViewItem, &item, painter, item.widget);
 
     painter->save();
     painter->setFont(bytesFont());
     const QFontMetrics metrics = painter->fontMetrics();
-    const QRect area = option.rect.adjusted(2 * Theme::unit, 0, -Theme::unit, 0);
-    const QString whole =
-        metrics.elidedText(index.data(Qt::DisplayRole).toString(), Qt::ElideRight, area.width());
+    const QRect area = option.rect.adjusted(headingRoom, 0, -Theme::unit, 0);
+    const QString whole = metrics.elidedText(item.text, Qt::ElideRight, area.width());
     const auto dimmed = qsizetype(index.data(MessageModel::ReconstructedRole).toInt()) * 3; // "00 "
     const QString prefix = whole.left(dimmed);
     painter->setPen(color(ColorRole::DisplayDim));
@@ -35,7 +64,7 @@ void BytesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
 
 void SentenceDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const
 {
-    QStyledItemDelegate::initStyleOption(option, index);
+    CellDelegate::initStyleOption(option, index);
     if (!index.data(MessageModel::FailureRole).toBool())
         return;
     option->text.prepend(QStringLiteral("▲ "));

@@ -34,7 +34,8 @@ MessageDetails::MessageDetails(QWidget* parent)
     setFrameShape(QFrame::NoFrame);
     setTabChangesFocus(true);
     setMinimumHeight(64);
-    setStyleSheet(QStringLiteral("QTextEdit { border: none; }"));
+    setStyleSheet(
+        QStringLiteral("QTextEdit { border: none; border-top: 1px solid palette(mid); border-radius: 0; }"));
     document()->setDocumentMargin(2 * Theme::unit);
     setAccessibleName(tr("Selected message"));
     clear();

@@ -22,6 +22,7 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QScrollBar>
+#include <QSet>
 #include <QSplitter>
 #include <QTableView>
 #include <QTimer>
@@ -49,6 +50,7 @@ struct MessagesPage::Private {
     void connectControls();
     void retranslate();
     void takeWaiting();
+    void append(const QList<ports::Frame>& frames);
     void applyFilter();
     void setPaused(bool on);
     void clear();
@@ -67,6 +69,8 @@ struct MessagesPage::Private {
     bool paused = false;
     quint64 dropped = 0;
     QString peer;
+    QSet<QString> peers; ///< All that have been seen since the last Clear.
+    QString lastPeer;
     QTimer batch;
     QTimer typing;
 
@@ -81,6 +85,7 @@ struct MessagesPage::Private {
     QLabel* counts = nullptr;
     QLabel* result = nullptr;
     QTableView* table = nullptr;
+    QLabel* nothing = nullptr; ///< Over the empty table: why it is empty.
     QAction* copyAction = nullptr;
     MessageDetails* details = nullptr;
 };
@@ -209,10 +214,12 @@ void MessagesPage::Private::buildTable()
 {
     table = new QTableView(&q);
     table->setModel(&model);
+    table->setItemDelegate(new CellDelegate(table));
     table->setItemDelegateForColumn(MessageModel::MessageColumn, new SentenceDelegate(table));
     table->setItemDelegateForColumn(MessageModel::BytesColumn, new BytesDelegate(table));
     table->setSelectionBehavior(QAbstractItemView::SelectRows);
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setStyleSheet(QStringLiteral("QTableView::item { padding: 0 %1px; }").arg(2 * Theme::unit));
     table->setShowGrid(false);
     table->setWordWrap(false);
     table->setTabKeyNavigation(false);
@@ -230,12 +237,22 @@ void MessagesPage::Private::buildTable()
         table->setColumnWidth(column, metrics.horizontalAdvance(widest) + 6 * Theme::unit);
     };
     setWidth(MessageModel::TimeColumn, QStringLiteral("00:00:00.000"));
-    setWidth(MessageModel::DirectionColumn, QStringLiteral("Way "));
+    setWidth(MessageModel::DirectionColumn, QStringLiteral("Way"));
     setWidth(MessageModel::RoundTripColumn, QStringLiteral("0000.0"));
     setWidth(MessageModel::SensorColumn, QStringLiteral("modbus-tcp://127.0.0.1:00000"));
     header->setSectionResizeMode(QHeaderView::Interactive);
     header->setSectionResizeMode(MessageModel::MessageColumn, QHeaderView::Stretch);
     header->setSectionResizeMode(MessageModel::BytesColumn, QHeaderView::Stretch);
+
+    table->setColumnHidden(MessageModel::SensorColumn, true);
+
+    nothing = new QLabel(table->viewport());
+    nothing->setProperty("muted", true);
+    nothing->setAlignment(Qt::AlignCenter);
+    nothing->setWordWrap(true);
+    nothing->setAttribute(Qt::WA_TransparentForMouseEvents);
+    auto* middle = new QVBoxLayout(table->viewport());
+    middle->addWidget(nothing);
 
     copyAction = new QAction(table);
     copyAction->setShortcut(QKeySequence::Copy);
@@ -315,11 +332,22 @@ void MessagesPage::Private::takeWaiting()
     } else if (!frames.isEmpty()) {
         const bool follow = isAtBottom();
         const int before = model.rowCount();
-        model.append(frames);
+        append(frames);
         if (follow && model.rowCount() != before)
             table->scrollToBottom();
     }
     showCounts();
+}
+
+/// The column of sensors takes its room only where there is more than one to tell apart.
+void MessagesPage::Private::append(const QList<ports::Frame>& frames)
+{
+    for (const ports::Frame& frame : frames) {
+        if (peers.isEmpty() || frame.peer != lastPeer)
+            peers.insert(lastPeer = frame.peer);
+    }
+    table->setColumnHidden(MessageModel::SensorColumn, peers.size() < 2);
+    model.append(frames);
 }
 
 void MessagesPage::Private::applyFilter()
@@ -354,7 +382,7 @@ void MessagesPage::Private::setPaused(bool on)
     if (!on) {
         const bool follow = isAtBottom();
         dropped += held.trimmed();
-        model.append(held.takeAll());
+        append(held.takeAll());
         if (follow)
             table->scrollToBottom();
     }
@@ -366,6 +394,7 @@ void MessagesPage::Private::clear()
     log.take();
     held.clear();
     model.clear();
+    peers.clear();
     dropped = 0;
     result->hide();
     showCounts();
@@ -445,6 +474,11 @@ void MessagesPage::Private::showCounts()
     const QString sentence = parts.join(QStringLiteral(" · "));
     if (counts->text() != sentence)
         counts->setText(sentence);
+    nothing->setVisible(model.rowCount() == 0);
+    nothing->setText(
+        model.store().size() == 0
+            ? MessagesPage::tr("No messages yet. They appear here as soon as a sensor is connected.")
+            : MessagesPage::tr("None of the recorded messages passes the filter."));
     clearAll->setEnabled(model.store().size() > 0 || held.size() > 0);
     save->setEnabled(model.rowCount() > 0);
 }

@@ -133,9 +133,13 @@ void TrendChart::prepareTicks()
 {
     const PlotScale& scale = m_scene.scale;
     m_scene.valueTicks = valueTicks(scale.range, std::max(2, int(scale.height) / valueTickSpacing));
-    const int labelWidth = fontMetrics().horizontalAdvance(QStringLiteral("00:00:00.000")) + 24;
-    m_scene.timeTicks =
-        timeTicks(scale.span, m_scene.wallOffsetNs, std::max(2, int(scale.width) / labelWidth));
+    // Ticks finer than a second have longer labels, so there is room for fewer of them.
+    for (const QString& widest : {QStringLiteral("00:00:00"), QStringLiteral("00:00:00.000")}) {
+        const int room = fontMetrics().horizontalAdvance(widest) + 28;
+        m_scene.timeTicks = timeTicks(scale.span, m_scene.wallOffsetNs, std::max(2, int(scale.width) / room));
+        if (m_scene.timeTicks.isEmpty() || m_scene.timeTicks.last().text.size() <= widest.size())
+            break;
+    }
 }
 
 void TrendChart::updateWallOffset(const TrendSpan& span)
@@ -206,7 +210,7 @@ void TrendChart::drawForeground(QPainter* painter, const QRectF&)
     if (hasFocus()) {
         painter->setBrush(Qt::NoBrush);
         painter->setPen(QPen(color(ColorRole::Accent), 1));
-        painter->drawRect(QRectF(viewport()->rect()).adjusted(1.5, 1.5, -1.5, -1.5));
+        painter->drawRect(m_scene.layout.plot.toAlignedRect().adjusted(-1, -1, 0, 0));
     }
     painter->restore();
 }

@@ -44,9 +44,9 @@ struct TrendPage::Private {
     void frame();
     void requestFrame();
     void showControls();
-    QString statusText() const;
-    QString describe() const;
-    TrendView* view() const;
+    QString statusText();
+    QString describe();
+    TrendView* view();
 
     TrendPage& q;
     ports::Scheduler& scheduler;
@@ -267,6 +267,7 @@ void TrendPage::Private::showControls()
     for (QWidget* control : std::initializer_list<QWidget*>{pause, follow, fit, length})
         control->setEnabled(shown != nullptr);
     if (!shown) {
+        length->setCurrentIndex(length->findData(TrendTimeWindow().lengthNs()));
         status->clear();
         return;
     }
@@ -283,17 +284,18 @@ void TrendPage::Private::showControls()
     chart->setAccessibleDescription(describe());
 }
 
-QString TrendPage::Private::statusText() const
+QString TrendPage::Private::statusText()
 {
     const TrendView* shown = view();
     if (!shown || !chart->scene().hasData)
         return {};
-    const QString end = clockText(chart->scene().scale.span.toNs + chart->scene().wallOffsetNs, second);
+    const qint64 endNs = std::min(chart->scene().scale.span.toNs, session->trend().lastNs());
     QStringList parts;
     if (shown->time.isPaused())
-        parts += TrendPage::tr("Paused at %1; values keep arriving").arg(end);
+        parts += TrendPage::tr("Paused; values keep arriving");
     else if (!shown->time.isFollowing())
-        parts += TrendPage::tr("Looking back, up to %1").arg(end);
+        parts += TrendPage::tr("Looking back, up to %1")
+                     .arg(clockText(endNs + chart->scene().wallOffsetNs, second));
     if (!shown->values.isAutomatic())
         parts += TrendPage::tr("value axis set by hand");
     if (parts.isEmpty())
@@ -302,7 +304,7 @@ QString TrendPage::Private::statusText() const
 }
 
 /// For a screen reader: what the picture shows, in one go; changes with the view, not with the values.
-QString TrendPage::Private::describe() const
+QString TrendPage::Private::describe()
 {
     const TrendView* shown = view();
     if (!shown)
@@ -326,10 +328,10 @@ QString TrendPage::Private::describe() const
     return parts.join(QStringLiteral(", "));
 }
 
-TrendView* TrendPage::Private::view() const
+TrendView* TrendPage::Private::view()
 {
     const auto found = views.find(session.data());
-    return session && found != views.end() ? const_cast<TrendView*>(&found->second) : nullptr;
+    return session && found != views.end() ? &found->second : nullptr;
 }
 
 } // namespace lds::ui

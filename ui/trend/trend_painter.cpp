@@ -10,6 +10,8 @@ namespace lds::ui {
 
 namespace {
 
+constexpr double narrowestHatch = 6;
+
 /// Half a pixel off, so that a line one pixel wide is crisp.
 double crisp(double pixel) { return std::floor(pixel) + 0.5; }
 
@@ -50,7 +52,8 @@ void paintFrozen(QPainter& painter, const TrendScene& scene)
         if (right <= left)
             continue;
         const QRectF stretch(plot.left() + left, plot.top(), right - left, plot.height());
-        painter.fillRect(stretch, QBrush(faint(ColorRole::Warning, 70), Qt::BDiagPattern));
+        if (stretch.width() >= narrowestHatch) // narrower it would be a smear; the line's colour tells
+            painter.fillRect(stretch, QBrush(faint(ColorRole::Warning, 70), Qt::BDiagPattern));
         const QString word = TrendTexts::tr("value frozen");
         if (painter.fontMetrics().horizontalAdvance(word) + 8 > stretch.width())
             continue;
@@ -73,73 +76,85 @@ void paintLabel(QPainter& painter, const QRectF& box, const QString& text, const
 
 enum class Side { Above, Below };
 
-void paintHeldLimit(QPainter& painter, const TrendScene& scene, const TrendLimit& limit, ColorRole role,
-                    Side side)
+/// Where a limit's label stands: beside its line, or at the edge that the line lies behind.
+struct LimitLabel {
+    QString text;
+    QRectF box;
+};
+
+LimitLabel labelOf(const QPainter& painter, const TrendScene& scene, catalog::Value value, QString text,
+                   Side side, Qt::Alignment end)
 {
-    if (!limit.held)
-        return;
     const QRectF plot = scene.layout.plot;
-    const QColor ink = scene.limits.stale ? color(ColorRole::Muted) : color(role);
-    QFont font = painter.font();
-    font.setBold(true);
-    painter.setFont(font);
-    QString text =
-        scene.limits.stale ? TrendTexts::tr("%1 (last known)").arg(limit.heldText) : limit.heldText;
     const double height = painter.fontMetrics().height();
-    double y = viewY(scene, *limit.held);
-    if (isInside(scene, *limit.held)) {
-        painter.setPen(QPen(ink, 1.5, Qt::CustomDashLine));
-        QPen pen(ink, 1.5);
-        pen.setDashPattern({4, 3});
-        painter.setPen(pen);
-        painter.drawLine(QPointF(plot.left(), crisp(y)), QPointF(plot.right(), crisp(y)));
-    } else { // named at the edge it lies behind
-        const bool above = *limit.held > scene.scale.range.high;
+    double y = viewY(scene, value);
+    if (!isInside(scene, value)) {
+        const bool above = value > scene.scale.range.high;
         text += above ? QStringLiteral(" ▲") : QStringLiteral(" ▼");
         side = above ? Side::Below : Side::Above;
         y = above ? plot.top() : plot.bottom();
     }
     const double width = painter.fontMetrics().horizontalAdvance(text) + 8;
-    double top = side == Side::Above ? y - height - 2 : y + 2;
-    top = std::clamp(top, plot.top() - height / 2, plot.bottom() - height);
-    paintLabel(painter, QRectF(plot.right() - width - 2, top, width, height), text, ink);
-    font.setBold(false);
-    painter.setFont(font);
+    const double top = std::clamp(side == Side::Above ? y - height - 2 : y + 2, plot.top() - height / 2,
+                                  plot.bottom() - height);
+    const double left = end == Qt::AlignRight ? plot.right() - width - 2 : plot.left() + 4;
+    return {text, QRectF(left, top, width, height)};
 }
 
-/// A pending edit: thinner and dotted, named on the left, where the held limit's label is not.
-void paintWantedLimit(QPainter& painter, const TrendScene& scene, const TrendLimit& limit, Side side)
+void paintLimitLine(QPainter& painter, const TrendScene& scene, catalog::Value value, const QColor& ink,
+                    double width, const QList<qreal>& dashes)
 {
-    if (!limit.wanted)
+    if (!isInside(scene, value))
         return;
+    QPen pen(ink, width);
+    pen.setDashPattern(dashes);
+    painter.setPen(pen);
     const QRectF plot = scene.layout.plot;
-    const QColor ink = color(ColorRole::EditBar);
-    const double height = painter.fontMetrics().height();
-    double y = viewY(scene, *limit.wanted);
-    QString text = limit.wantedText;
-    if (isInside(scene, *limit.wanted)) {
-        QPen pen(ink, 1);
-        pen.setDashPattern({1, 3});
-        painter.setPen(pen);
-        painter.drawLine(QPointF(plot.left(), crisp(y)), QPointF(plot.right(), crisp(y)));
-    } else {
-        const bool above = *limit.wanted > scene.scale.range.high;
-        text += above ? QStringLiteral(" ▲") : QStringLiteral(" ▼");
-        side = above ? Side::Below : Side::Above;
-        y = above ? plot.top() : plot.bottom();
+    const double y = crisp(viewY(scene, value));
+    painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
+}
+
+QColor heldInk(const TrendScene& scene, ColorRole role)
+{
+    return scene.limits.stale ? color(ColorRole::Muted) : color(role);
+}
+
+void paintLimitLines(QPainter& painter, const TrendScene& scene, const TrendLimit& limit, ColorRole role)
+{
+    if (limit.held)
+        paintLimitLine(painter, scene, *limit.held, heldInk(scene, role), 1.5, {4, 3});
+    if (limit.wanted) // a pending edit: thinner and dotted
+        paintLimitLine(painter, scene, *limit.wanted, color(ColorRole::EditBar), 1, {1, 3});
+}
+
+void paintLimitLabels(QPainter& painter, const TrendScene& scene, const TrendLimit& limit, ColorRole role,
+                      Side side)
+{
+    if (limit.wanted) { // on the left, where the held limit's label is not, and off the held limit's line
+        const Side away = !limit.held ? side : *limit.wanted >= *limit.held ? Side::Above : Side::Below;
+        const LimitLabel label =
+            labelOf(painter, scene, *limit.wanted, limit.wantedText, away, Qt::AlignLeft);
+        paintLabel(painter, label.box, label.text, color(ColorRole::Warning));
     }
-    const double width = painter.fontMetrics().horizontalAdvance(text) + 8;
-    double top = side == Side::Above ? y - height - 2 : y + 2;
-    top = std::clamp(top, plot.top() - height / 2, plot.bottom() - height);
-    paintLabel(painter, QRectF(plot.left() + 4, top, width, height), text, color(ColorRole::Warning));
+    if (!limit.held)
+        return;
+    const QFont plain = painter.font();
+    QFont bold = plain;
+    bold.setBold(true);
+    painter.setFont(bold);
+    const QString text =
+        scene.limits.stale ? TrendTexts::tr("%1 (last known)").arg(limit.heldText) : limit.heldText;
+    const LimitLabel label = labelOf(painter, scene, *limit.held, text, side, Qt::AlignRight);
+    paintLabel(painter, label.box, label.text, heldInk(scene, role));
+    painter.setFont(plain);
 }
 
 void paintLimits(QPainter& painter, const TrendScene& scene)
 {
-    paintHeldLimit(painter, scene, scene.limits.high, ColorRole::High, Side::Above);
-    paintHeldLimit(painter, scene, scene.limits.low, ColorRole::Low, Side::Below);
-    paintWantedLimit(painter, scene, scene.limits.high, Side::Above);
-    paintWantedLimit(painter, scene, scene.limits.low, Side::Below);
+    paintLimitLines(painter, scene, scene.limits.high, ColorRole::High);
+    paintLimitLines(painter, scene, scene.limits.low, ColorRole::Low);
+    paintLimitLabels(painter, scene, scene.limits.high, ColorRole::High, Side::Above);
+    paintLimitLabels(painter, scene, scene.limits.low, ColorRole::Low, Side::Below);
 }
 
 void paintValueAxis(QPainter& painter, const TrendScene& scene)
@@ -152,7 +167,7 @@ void paintValueAxis(QPainter& painter, const TrendScene& scene)
         painter.drawText(QRectF(0, y - height / 2, plot.left() - 8, height),
                          Qt::AlignRight | Qt::AlignVCenter, tick.text);
     }
-    painter.drawText(QRectF(8, 0, plot.left(), plot.top()), Qt::AlignLeft | Qt::AlignVCenter,
+    painter.drawText(QRectF(0, 2, plot.left() - 8, height), Qt::AlignRight | Qt::AlignVCenter,
                      QStringLiteral("mm"));
 }
 
@@ -163,8 +178,8 @@ void paintTimeAxis(QPainter& painter, const TrendScene& scene)
     for (const TimeTick& tick : scene.timeTicks) {
         const double width = painter.fontMetrics().horizontalAdvance(tick.text) + 2;
         const double middle = plot.left() + scene.scale.x(tick.monotonicNs);
-        const double left = std::min(middle - width / 2, plot.right() + 16 - width);
-        painter.drawText(QRectF(left, plot.bottom() + 4, width, painter.fontMetrics().height()),
+        const double left = std::clamp(middle - width / 2, plot.left() - 12, plot.right() + 16 - width);
+        painter.drawText(QRectF(left, plot.bottom() + 8, width, painter.fontMetrics().height()),
                          Qt::AlignCenter, tick.text);
     }
 }

@@ -36,8 +36,8 @@ TrendLayout TrendLayout::of(const QSizeF& size, const QFontMetrics& metrics)
 {
     const double left = metrics.horizontalAdvance(QStringLiteral("−000.0000")) + 16;
     const double right = 20;
-    const double top = 16;
-    const double timeLabels = metrics.height() + 12;
+    const double top = 24;
+    const double timeLabels = metrics.height() + 16;
     const double strip = stateRows * rowHeight;
     const double bottom = timeLabels + strip + 10;
     TrendLayout layout;
