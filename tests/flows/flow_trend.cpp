@@ -277,6 +277,29 @@ private Q_SLOTS:
         QVERIFY(f.button(QStringLiteral("Pause")));
     }
 
+    void aPausedWindowThatReachesPastTheNewestValueStaysAsItIs()
+    {
+        Fixture f;
+        f.open();
+        f.measure(5000);
+        f.frames();
+        f.chart().setWindowLength(60 * second);
+        f.key(Qt::Key_Right);
+        f.key(Qt::Key_Right); // twelve seconds still to come lie inside the window
+        QVERIFY(f.span().toNs > f.session->trend().lastNs() + 10 * second);
+        f.key(Qt::Key_Space);
+        f.frames(3000);
+        PaintCounter painted(f.chart().viewport());
+        f.measure(500);
+        f.frames();
+        QCOMPARE(painted.take(), 0);
+        f.key(Qt::Key_Space);
+        painted.take();
+        f.measure(300);
+        f.frames();
+        QVERIFY(painted.take() > 0); // looking on, not paused: what arrives is drawn
+    }
+
     void arrowsPanAndEndFollowsAgain()
     {
         Fixture f;
