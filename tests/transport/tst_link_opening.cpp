@@ -1,6 +1,8 @@
 #include "link_fixture.h"
 
 #include <QSignalSpy>
+#include <QTcpServer>
+#include <vector>
 
 using namespace lds;
 using namespace lds::tests;
@@ -21,6 +23,7 @@ private Q_SLOTS:
     void sensorInItsMenuIsNotReady();
     void nobodyListening();
     void hostThatIsNone();
+    void hostThatNeverTakesTheConnection();
     void silentHostDoesNotAnswerWithinTwoSeconds();
     void oneLostProbeIsForgiven();
     void hostThatHangsUpDoesNotAnswer();
@@ -143,6 +146,41 @@ void LinkOpeningTest::hostThatIsNone()
     const auto report = reported.last().first().value<ports::LinkReport>();
     QCOMPARE(report.state, LinkState::Failed);
     QCOMPARE(report.failure, OpenFailure::HostNotFound);
+}
+
+void LinkOpeningTest::hostThatNeverTakesTheConnection()
+{
+    // A listener whose queue is full takes no notice of further connections.
+    QTcpServer full;
+    full.setListenBacklogSize(1);
+    QVERIFY(full.listen(QHostAddress::LocalHost));
+    full.pauseAccepting();
+    std::vector<std::unique_ptr<QTcpSocket>> crowd;
+    for (int i = 0; i < 8; ++i) {
+        crowd.push_back(std::make_unique<QTcpSocket>());
+        crowd.back()->connectToHost(full.serverAddress(), full.serverPort());
+    }
+    settle();
+    ports::ConnectionUrl url;
+    url.host = QStringLiteral("127.0.0.1");
+    url.port = full.serverPort();
+    auto scheduler = std::make_unique<ports::ManualScheduler>();
+    ports::ManualScheduler* const clock = scheduler.get();
+    RecordingLog log;
+    modbus::ModbusTcpLink link(url, std::move(scheduler), log);
+    QList<ports::LinkReport> reports;
+    connect(&link, &ports::SensorLink::reported, this, [&](const auto& report) { reports.append(report); });
+    link.open();
+    QTRY_COMPARE(reports.size(), 1);
+    clock->advanceMs(1999);
+    settle();
+    QCOMPARE(reports.last().state, LinkState::Opening);
+    QVERIFY(log.frames(ports::FrameMeaning::Connected).isEmpty());
+    clock->advanceMs(1);
+    QCOMPARE(reports.last().state, LinkState::Failed);
+    QCOMPARE(reports.last().failure, OpenFailure::NoAnswer);
+    settle();
+    QCOMPARE(reports.size(), 2);
 }
 
 void LinkOpeningTest::silentHostDoesNotAnswerWithinTwoSeconds()

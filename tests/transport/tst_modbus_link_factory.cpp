@@ -29,6 +29,7 @@ private Q_SLOTS:
     void linkLivesInTheIoThread();
     void linkReadsWritesAndPollsFromAnotherThread();
     void silentHostEndsInRealTime();
+    void lostWriteIsNotRepeatedInRealTime();
     void givenUpLinkHangsUp();
     void factoryMayGoRightAfterItsLinks();
     void linksAreIndependent();
@@ -92,6 +93,32 @@ void ModbusLinkFactoryTest::silentHostEndsInRealTime()
     QTRY_VERIFY_WITH_TIMEOUT(!reports.isEmpty() && reports.last().state == LinkState::Failed, 10'000);
     QCOMPARE(reports.last().failure, ports::OpenFailure::NoAnswer);
     QVERIFY(elapsed.elapsed() >= 1900);
+}
+
+/// QModbus has a timer and repeats of its own, which no injected clock drives: 1000 ms and three times.
+void ModbusLinkFactoryTest::lostWriteIsNotRepeatedInRealTime()
+{
+    RecordingLog log;
+    ScriptedServer server;
+    modbus::ModbusLinkFactory factory(log);
+    const ports::LinkPointer link = factory.create(urlOf(server));
+    bool open = false;
+    QList<ports::Outcome> outcomes;
+    connect(link.get(), &ports::SensorLink::reported, this,
+            [&](const auto& report) { open = report.state == LinkState::Open; });
+    connect(link.get(), &ports::SensorLink::finished, this,
+            [&](const auto& outcome) { outcomes.append(outcome); });
+    link->open();
+    QTRY_VERIFY(open);
+    server.always(silence);
+    ports::Request request;
+    request.kind = ports::RequestKind::Write;
+    request.write = {{catalog::ItemId::Teaching1stPoint, 0}};
+    request.timeoutMs = 2500;
+    link->submit(request);
+    QTRY_COMPARE_WITH_TIMEOUT(outcomes.size(), 1, 10'000);
+    QCOMPARE(outcomes.first().status, ports::Status::Unknown);
+    QCOMPARE(server.writes(), 1);
 }
 
 void ModbusLinkFactoryTest::givenUpLinkHangsUp()

@@ -243,7 +243,8 @@ void TcpConnection::end(tl::expected<Response, Failure> result)
 {
     const Pending exchange = *std::exchange(m_exchange, std::nullopt);
     m_scheduler.cancel(exchange.timeout);
-    // At once: QModbus lets a reply that is still alive finish a second time when the connection closes.
+    // At once: QModbus keeps the replies it is not rid of, and finishes them again when the connection
+    // closes.
     delete m_reply;
     exchange.ended(Exchange{std::move(result), m_stampNs, m_stampWallMs});
 }
