@@ -101,13 +101,13 @@ void SensorSession::Private::startReading()
     stopTimer(retryTimer);
     setNotReady(false);
     setSaved(Saved::Unknown); // it may have been switched off meanwhile
-    setConnection(Connection::Reading);
     readEverything();
 }
 
 void SensorSession::Private::readEverything()
 {
     stopTimer(rereadTimer);
+    setConnection(Connection::Reading);
     ports::Request request;
     request.kind = ports::RequestKind::Read;
     request.urgency = ports::Urgency::Person;
@@ -126,15 +126,32 @@ void SensorSession::Private::everythingRead(const ports::Outcome& outcome)
     }
     if (isConnectionGone(outcome))
         return; // the link's report follows
+    if (outcome.status == ports::Status::Refused && outcome.failure.code != FailureCode::NotReady)
+        return takeForNoSensor(outcome.failure);
     const bool inMenu = outcome.failure.code == FailureCode::NotReady;
     setNotReady(inMenu);
     const int delay = reconnecting.nextDelayMs(inMenu ? OpenFailure::NotReady : OpenFailure::NoAnswer);
     startTimer(rereadTimer, delay, &Private::readEverything);
 }
 
+/// It passed the link's probe and yet refuses items that every HL-G2 lets read.
+void SensorSession::Private::takeForNoSensor(const ports::Failure& failure)
+{
+    report.state = LinkState::Failed;
+    report.failure = OpenFailure::NotASensor;
+    report.detail = failure.detail;
+    announcer.add(Announcer::News::Connection);
+    setNotReady(false);
+    setConnection(Connection::Reconnecting);
+    startTimer(rereadTimer, reconnecting.nextDelayMs(report.failure), &Private::readEverything);
+}
+
 void SensorSession::Private::becomeReady()
 {
     reconnecting.reset();
+    report.state = LinkState::Open;
+    report.failure = OpenFailure::None;
+    report.detail.clear();
     setNotReady(false);
     setConnection(Connection::Ready);
     client->poll(timing.pollIntervalMs);

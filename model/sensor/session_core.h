@@ -46,6 +46,7 @@ struct SensorSession::Private final : RunHost {
     void startReading();
     void readEverything();
     void everythingRead(const ports::Outcome& outcome);
+    void takeForNoSensor(const ports::Failure& failure);
     void becomeReady();
     void setConnection(Connection next);
     void setNotReady(bool notReady);

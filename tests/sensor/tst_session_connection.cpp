@@ -124,6 +124,27 @@ private Q_SLOTS:
         QVERIFY(f.session->isReady());
     }
 
+    void whatRefusesToBeReadIsNoSensor()
+    {
+        SessionFixture f;
+        f.sensor().refuseReads(FailureCode::AddressRefused);
+        f.session->open();
+        settle();
+        QCOMPARE(f.session->connection(), Connection::Reconnecting);
+        QCOMPARE(f.session->linkReport().failure, OpenFailure::NotASensor);
+        QVERIFY(!f.session->isSensorNotReady());
+        f.pass(7000);
+        QCOMPARE(f.sensor().reads(), 1); // slowly
+        f.pass(1000);
+        QCOMPARE(f.sensor().reads(), 2);
+        f.sensor().refuseReads(FailureCode::None);
+        f.session->retryNow();
+        settle();
+        QVERIFY(f.session->isReady());
+        QCOMPARE(f.session->linkReport().failure, OpenFailure::None);
+        QCOMPARE(f.session->linkReport().state, LinkState::Open);
+    }
+
     void pollsRefusedShowTheMenuAndPollsAnsweredEndIt()
     {
         SessionFixture f;
