@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QToolButton>
+#include <QToolTip>
 #include <QVBoxLayout>
 
 using namespace lds;
@@ -28,6 +29,8 @@ private Q_SLOTS:
     void doubleClickAnywhereInARowEditsItsNewValue();
     void detailsSayRulesWithTheNumbersOfTheMoment();
     void detailsExplainAnUnreachableItem();
+    void aRowThatCannotBeEditedSaysWhy();
+    void rulesFollowNumbersOfOtherGroups();
     void keepMineAndTakeTheSensorsResolveAConflict();
     void aSwitchAsksByMenuAndIsNeverAPendingEdit();
     void aCommandNeedsAChoiceBeforeItIsRequested();
@@ -192,6 +195,25 @@ void SettingsPageFlow::detailsExplainAnUnreachableItem()
     QVERIFY2(details().contains(QStringLiteral("No protocol has an address for it.")), qPrintable(details()));
     press(Qt::Key_F2);
     QVERIFY(m_view->hasFocus()); // no editor
+}
+
+void SettingsPageFlow::aRowThatCannotBeEditedSaysWhy()
+{
+    m_page->showItem(ItemId::PortSlmp);
+    type(QStringLiteral("4"));
+    QVERIFY(QToolTip::isVisible());
+    QVERIFY2(QToolTip::text().startsWith(QStringLiteral("No protocol has an address for it.")),
+             qPrintable(QToolTip::text()));
+    QCOMPARE(m_view->currentIndex().siblingAtColumn(0), indexOf(ItemId::PortSlmp)); // no search for "4"
+    QToolTip::hideText();
+}
+
+void SettingsPageFlow::rulesFollowNumbersOfOtherGroups()
+{
+    m_page->showItem(ItemId::TriggerMode); // 53; hold mode is 24
+    QVERIFY2(details().contains(QStringLiteral("Hold mode is “None (Normal mode)”.")), qPrintable(details()));
+    m_fixture->session->edit({{ItemId::HoldMode, 1}});
+    QTRY_VERIFY(details().contains(QStringLiteral("Hold mode is “Peak Hold”.")));
 }
 
 void SettingsPageFlow::keepMineAndTakeTheSensorsResolveAConflict()

@@ -58,14 +58,13 @@ DetailsPane::DetailsPane(SettingsModel& model, QWidget* parent)
     applyTheme();
     refresh();
     connect(&Theme::instance(), &Theme::changed, this, &DetailsPane::applyTheme);
-    connect(&model, &QAbstractItemModel::dataChanged, this,
-            [this](const QModelIndex& from, const QModelIndex& to) {
-                // Rules name the numbers of other rows, too; those are few and near.
-                const bool ours =
-                    m_index.isValid() && (from.parent() == m_index.parent() && from.row() <= to.row());
-                if (ours)
-                    refresh();
-            });
+    connect(&model, &QAbstractItemModel::dataChanged, this, [this](const QModelIndex& changed) {
+        // Rules name the numbers of other rows: those near are looked at now, the rest once for all.
+        if (m_index.isValid() && changed.parent() == m_index.parent())
+            refresh();
+        else
+            refreshLater();
+    });
 }
 
 QLabel* DetailsPane::addLabel(QVBoxLayout* layout, const char* property)
@@ -168,8 +167,10 @@ void DetailsPane::applyTheme()
     paint(m_whyNot, QStringLiteral("info"), ColorRole::Muted, ColorRole::Background);
     setStyleSheet(
         QStringLiteral("QScrollArea#details { background: %1; border: none; border-left: 1px solid %2; }"
+                       "QScrollArea#details:focus { border-left: 2px solid %3; }"
                        "QScrollArea#details > QWidget > QWidget { background: %1; }")
-            .arg(theme.color(ColorRole::Panel).name(), theme.color(ColorRole::Line).name()));
+            .arg(theme.color(ColorRole::Panel).name(), theme.color(ColorRole::Line).name(),
+                 theme.color(ColorRole::Accent).name()));
 }
 
 const SettingRow* DetailsPane::row() const { return m_model.row(m_index); }
@@ -224,6 +225,20 @@ void DetailsPane::refresh()
     m_manual->setVisible(!m_manual->text().isEmpty());
     refreshNotices(*row);
     refreshSections(*row);
+}
+
+void DetailsPane::refreshLater()
+{
+    if (m_refreshQueued)
+        return;
+    m_refreshQueued = true;
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            m_refreshQueued = false;
+            refresh();
+        },
+        Qt::QueuedConnection);
 }
 
 void DetailsPane::refreshNotices(const SettingRow& row)

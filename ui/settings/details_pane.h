@@ -49,6 +49,7 @@ private:
     Section addSection(QVBoxLayout* layout, const QString& heading);
     Notice addNotice(QVBoxLayout* layout, const QString& objectName, const QList<QPushButton*>& buttons);
     void refresh();
+    void refreshLater();
     void refreshNotices(const SettingRow& row);
     void refreshSections(const SettingRow& row);
     static void show(const Section& section, const QStringList& lines);
@@ -56,6 +57,7 @@ private:
     void applyTheme();
 
     SettingsModel& m_model;
+    bool m_refreshQueued = false;
     QPersistentModelIndex m_index;
     QLabel* m_path = nullptr;
     QLabel* m_title = nullptr;

@@ -17,6 +17,7 @@
 #include <QShortcut>
 #include <QSplitter>
 #include <QToolButton>
+#include <QToolTip>
 #include <QVBoxLayout>
 
 namespace lds::ui {
@@ -26,7 +27,7 @@ using sensor::SensorSession;
 
 namespace {
 constexpr int detailsWidth = 280;
-constexpr int narrowDetailsWidth = 228;
+constexpr int narrowDetailsWidth = 220;
 constexpr int narrowPage = 900; ///< Below it the details pane is slimmer.
 } // namespace
 
@@ -48,13 +49,14 @@ struct SettingsPage::Private {
     QSplitter* splitter = nullptr;
     SettingsView* view = nullptr;
     DetailsPane* details = nullptr;
-    QList<const SettingRow*> collapsed; ///< By the person; a filter opens them for a while.
 
     void build();
     QWidget* buildBar();
     void connectAll();
     void filterChanged();
     void refreshEmptyText();
+    QModelIndex firstItem() const; ///< The first row that is no heading.
+    void explainRefusal(const QModelIndex& index);
     void refreshStaleNote();
     void select(const QModelIndex& sourceIndex);
     void showDetails(bool visible);
@@ -164,6 +166,8 @@ void SettingsPage::Private::connectAll()
         if (const SettingRow* row = currentRow())
             menus.revert(*row);
     });
+    connect(view, &SettingsView::editRefused, &page,
+            [this](const QModelIndex& index) { explainRefusal(index); });
     connect(view, &SettingsView::copyRequested, &page, [this] {
         if (const SettingRow* row = currentRow())
             menus.copyRow(*row);
@@ -238,8 +242,8 @@ void SettingsPage::Private::filterChanged()
         view->measureColumns();
     if (current.isValid())
         select(current);
-    if (!view->currentIndex().isValid() && filter.rowCount() > 0)
-        view->setCurrentIndex(filter.index(0, 0));
+    if (!view->currentIndex().isValid())
+        view->setCurrentIndex(firstItem());
     refreshEmptyText();
 }
 
@@ -252,6 +256,24 @@ void SettingsPage::Private::select(const QModelIndex& sourceIndex)
         view->expand(above);
     view->setCurrentIndex(index);
     view->scrollTo(index);
+}
+
+QModelIndex SettingsPage::Private::firstItem() const
+{
+    QModelIndex index = filter.index(0, 0);
+    while (filter.hasChildren(index) && index.isValid())
+        index = filter.index(0, 0, index);
+    return index;
+}
+
+void SettingsPage::Private::explainRefusal(const QModelIndex& index)
+{
+    const SettingRow* row = model.row(filter.mapToSource(index));
+    if (!row || !model.session())
+        return;
+    const QString reason = RowFacts(*row, *model.session()).whyNot();
+    const QRect cell = view->visualRect(index);
+    QToolTip::showText(view->viewport()->mapToGlobal(cell.bottomLeft()), reason, view->viewport());
 }
 
 void SettingsPage::Private::refreshEmptyText()

@@ -17,14 +17,14 @@ namespace lds::ui {
 
 namespace {
 
-constexpr int narrowestItemColumn = 136;
-constexpr int comfortableItemColumn = 160;
+constexpr int narrowestItemColumn = 144;
+constexpr int comfortableItemColumn = 152;
 constexpr int narrowestValueColumn = 108;
 constexpr int widestValueColumn = 150;
-constexpr int narrowestRangeColumn = 140;
+constexpr int narrowestRangeColumn = 130;
 constexpr int widestRangeColumn = 240;
 constexpr int narrowestDefaultColumn = 100;
-constexpr int widestDefaultColumn = 112;
+constexpr int widestDefaultColumn = 104;
 
 /// At most `most`, but never less than `least`, even where the two contradict each other.
 int within(int least, int value, int most) { return qMax(least, qMin(value, most)); }
@@ -128,6 +128,11 @@ bool SettingsView::edit(const QModelIndex& index, EditTrigger trigger, QEvent* e
     if (trigger == SelectedClicked && index.column() != SettingsModel::NewValue)
         return false;
     const QModelIndex cell = newValueOf(index);
+    const bool isHeading = model()->hasChildren(index.siblingAtColumn(SettingsModel::Menu));
+    if (!isHeading && !model()->flags(cell).testFlag(Qt::ItemIsEditable)) {
+        Q_EMIT editRefused(cell);
+        return true; // not on to the base class, which would take the key for a search
+    }
     if (!QTreeView::edit(cell, trigger, event))
         return false;
     if (m_editor) {

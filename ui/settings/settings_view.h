@@ -32,6 +32,7 @@ public:
 Q_SIGNALS:
     void orderRequested(const QModelIndex& index);
     void revertRequested(const QModelIndex& index);
+    void editRefused(const QModelIndex& index); ///< The row cannot be changed; say why.
     void copyRequested();
     void detailsRequested();
     void editingChanged(const QModelIndex& index); ///< Invalid when no editor is open.
