@@ -11,6 +11,20 @@ namespace {
 
 constexpr int longestHistory = 500; ///< Steps; far beyond what a person takes back.
 
+/// The item and those that make one thing with it: the octets of an address.
+QList<ItemId> together(ItemId item)
+{
+    const catalog::WriteGroup group = catalog::hlG2(item).group;
+    if (group == catalog::WriteGroup::None)
+        return {item};
+    QList<ItemId> items;
+    for (const catalog::SettingItem& each : catalog::Catalog::hlG2().items()) {
+        if (each.group == group)
+            items.append(each.id);
+    }
+    return items;
+}
+
 std::optional<Value> bankFor(ItemId item, const settings::Values& held)
 {
     if (catalog::hlG2(item).scope != catalog::Scope::Bank || !held.contains(ItemId::BankSwitching))
@@ -58,10 +72,17 @@ void PendingEdits::set(const QList<settings::ItemValue>& wanted, const settings:
 {
     Edits next = m_edits;
     for (const settings::ItemValue& each : wanted) {
-        PendingEdit edit;
-        edit.wanted = each.value;
-        confirmEdit(each.item, edit, held);
-        next.insert(each.item, edit);
+        for (const ItemId item : together(each.item)) {
+            if (item != each.item && !next.contains(item) && !held.contains(item))
+                continue;
+            PendingEdit edit;
+            if (item == each.item)
+                edit.wanted = each.value;
+            else
+                edit.wanted = next.contains(item) ? next.value(item).wanted : held.value(item);
+            confirmEdit(item, edit, held);
+            next.insert(item, edit);
+        }
     }
     replace(settled(std::move(next), held));
 }
@@ -69,8 +90,10 @@ void PendingEdits::set(const QList<settings::ItemValue>& wanted, const settings:
 void PendingEdits::remove(const QList<ItemId>& items)
 {
     Edits next = m_edits;
-    for (const ItemId item : items)
-        next.remove(item);
+    for (const ItemId item : items) {
+        for (const ItemId each : together(item))
+            next.remove(each);
+    }
     replace(std::move(next));
 }
 
@@ -127,10 +150,11 @@ void PendingEdits::applied(ItemId item)
 
 void PendingEdits::confirm(ItemId item, const settings::Values& held)
 {
-    const auto found = m_edits.find(item);
-    if (found == m_edits.end())
-        return;
-    confirmEdit(item, *found, held);
+    for (const ItemId each : together(item)) {
+        const auto found = m_edits.find(each);
+        if (found != m_edits.end())
+            confirmEdit(each, *found, held);
+    }
     rebase(held);
 }
 
@@ -153,19 +177,34 @@ void PendingEdits::replace(Edits edits)
     forgetEmptySteps({});
 }
 
+/// Conflicts as they are now, and without the edits that have come true. The octets of an address are in
+/// conflict together and come true together: a gateway that is 0.0.0.0 for a moment on the way to another
+/// network has not reached 10.0.0.1 by three of its octets.
 PendingEdits::Edits PendingEdits::settled(Edits edits, const settings::Values& held)
 {
-    for (auto it = edits.begin(); it != edits.end();) {
+    QMap<catalog::WriteGroup, bool> conflicts;
+    QMap<catalog::WriteGroup, bool> differs;
+    for (auto it = edits.begin(); it != edits.end(); ++it) {
+        const catalog::WriteGroup group = catalog::hlG2(it.key()).group;
         if (!held.contains(it.key())) {
-            ++it;
+            differs[group] = true;
             continue;
         }
         if (!it->baseKnown)
             confirmEdit(it.key(), *it, held);
-        const bool otherBank = otherBankRuns(it.key(), *it, held);
-        const Value now = held.value(it.key());
-        it->conflict = otherBank || it->base != now;
-        if (!otherBank && it->wanted == now)
+        it->conflict = otherBankRuns(it.key(), *it, held) || it->base != held.value(it.key());
+        conflicts[group] = conflicts.value(group) || it->conflict;
+        differs[group] = differs.value(group) || it->wanted != held.value(it.key());
+    }
+    for (auto it = edits.begin(); it != edits.end();) {
+        const catalog::WriteGroup group = catalog::hlG2(it.key()).group;
+        const bool grouped = group != catalog::WriteGroup::None;
+        if (grouped)
+            it->conflict = conflicts.value(group);
+        const bool asWanted = held.contains(it.key()) && held.value(it.key()) == it->wanted;
+        const bool cameTrue =
+            asWanted && !otherBankRuns(it.key(), *it, held) && !(grouped && differs.value(group));
+        if (cameTrue)
             it = edits.erase(it);
         else
             ++it;

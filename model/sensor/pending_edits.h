@@ -8,6 +8,9 @@ namespace lds::sensor {
 
 /// The edits a person has made and not applied, with undo and redo. A plain value object: the session
 /// owns one and tells what the sensor holds.
+///
+/// The octets of an address are one change: an edit of one brings the others along as they are, they are
+/// taken back together, and they come true together. An edit may therefore want what is held.
 class PendingEdits {
 public:
     using Edits = QMap<ItemId, PendingEdit>;

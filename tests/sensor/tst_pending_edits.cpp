@@ -88,6 +88,52 @@ private Q_SLOTS:
         QCOMPARE(edits.count(), 2);
     }
 
+    void theOctetsOfAnAddressComeTrueAndAreTakenBackTogether()
+    {
+        const Values gateway{{ItemId::DefaultGateway1stOctet, 192},
+                             {ItemId::DefaultGateway2ndOctet, 168},
+                             {ItemId::DefaultGateway3rdOctet, 1},
+                             {ItemId::DefaultGateway4thOctet, 1}};
+        Values off = gateway;
+        for (auto& octet : off)
+            octet = 0;
+        PendingEdits edits;
+        edits.set({{ItemId::DefaultGateway1stOctet, 10},
+                   {ItemId::DefaultGateway2ndOctet, 0},
+                   {ItemId::DefaultGateway3rdOctet, 0}},
+                  gateway);
+        QCOMPARE(edits.edits().size(), 4);
+        QCOMPARE(edits.find(ItemId::DefaultGateway4thOctet)->wanted, 1);
+        edits.follow(gateway.keys(), off); // on its way
+        QCOMPARE(edits.edits().size(), 4);
+        for (const PendingEdit& edit : edits.edits())
+            QVERIFY(!edit.conflict);
+        edits.rebase(with(off, ItemId::DefaultGateway4thOctet, 9)); // somebody else
+        for (const PendingEdit& edit : edits.edits())
+            QVERIFY(edit.conflict);
+        edits.confirm(ItemId::DefaultGateway1stOctet, off);
+        for (const PendingEdit& edit : edits.edits())
+            QVERIFY(!edit.conflict);
+        edits.remove({ItemId::DefaultGateway2ndOctet});
+        QVERIFY(edits.isEmpty());
+        edits.undo(off);
+        QCOMPARE(edits.edits().size(), 4);
+        edits.rebase(edits.wantedValues());
+        QVERIFY(edits.isEmpty());
+    }
+
+    void anAddressTypedBackIsNoEdit()
+    {
+        const Values gateway{{ItemId::DefaultGateway1stOctet, 192},
+                             {ItemId::DefaultGateway2ndOctet, 168},
+                             {ItemId::DefaultGateway3rdOctet, 1},
+                             {ItemId::DefaultGateway4thOctet, 1}};
+        PendingEdits edits;
+        edits.set({{ItemId::DefaultGateway4thOctet, 7}}, gateway);
+        edits.set({{ItemId::DefaultGateway4thOctet, 1}}, gateway);
+        QVERIFY(edits.isEmpty());
+    }
+
     void aMovedBaseIsAConflictUntilConfirmed()
     {
         PendingEdits edits;

@@ -228,6 +228,54 @@ private Q_SLOTS:
             QVERIFY(!it->conflict);
     }
 
+    /// §5.1.1: the gateway is 0.0.0.0 for a moment, which some of its octets are to be in the end.
+    void aSensorMovesToAnotherNetwork()
+    {
+        SessionFixture f;
+        f.openReady();
+        f.session->edit({{ItemId::IpAddress1stOctet, 10},
+                         {ItemId::IpAddress2ndOctet, 0},
+                         {ItemId::IpAddress3rdOctet, 0},
+                         {ItemId::DefaultGateway1stOctet, 10},
+                         {ItemId::DefaultGateway2ndOctet, 0},
+                         {ItemId::DefaultGateway3rdOctet, 0}});
+        QCOMPARE(f.session->pending().count(), 2);
+        f.applyAndSettle();
+        QVERIFY(f.applies.value(0).allDone());
+        QVERIFY(f.session->pending().isEmpty());
+        QCOMPARE(f.sensor().value(ItemId::DefaultGateway1stOctet), 10);
+        QCOMPARE(f.sensor().value(ItemId::DefaultGateway2ndOctet), 0);
+        QCOMPARE(f.sensor().value(ItemId::DefaultGateway4thOctet), 1);
+        QCOMPARE(f.sensor().value(ItemId::IpAddress4thOctet), 6);
+    }
+
+    void aCutOnTheWayToAnotherNetworkForgetsNothing()
+    {
+        SessionFixture f;
+        f.openReady();
+        f.session->edit({{ItemId::IpAddress1stOctet, 10},
+                         {ItemId::IpAddress2ndOctet, 0},
+                         {ItemId::DefaultGateway1stOctet, 10},
+                         {ItemId::DefaultGateway2ndOctet, 0}});
+        int writes = 0;
+        f.sensor().setOnRequest([&](const Request& request) {
+            if (request.kind == RequestKind::Write && ++writes == 2)
+                f.sensor().cut();
+        });
+        f.applyAndSettle();
+        QVERIFY(f.applies.value(0).connectionLost);
+        QCOMPARE(f.sensor().value(ItemId::DefaultGateway1stOctet), 0); // that far it got
+        f.sensor().setOnRequest({});
+        f.pass(500);
+        QVERIFY(f.session->isReady());
+        QCOMPARE(f.session->pending().count(), 2);
+        f.applyAndSettle();
+        QVERIFY(f.applies.last().allDone());
+        QCOMPARE(f.sensor().value(ItemId::DefaultGateway1stOctet), 10);
+        QCOMPARE(f.sensor().value(ItemId::DefaultGateway3rdOctet), 1);
+        QCOMPARE(f.sensor().value(ItemId::DefaultGateway4thOctet), 1);
+    }
+
     void anAddressAndItsGatewayAreTwoChangesWrittenWhole()
     {
         SessionFixture f;
