@@ -15,20 +15,20 @@ enum class Protocol : quint8 { ModbusTcp };
 /// modbus-tcp://192.168.1.6:49152?sensor=HL-G203B-S-MK&unit=1&view=only
 struct ConnectionUrl {
     Protocol protocol = Protocol::ModbusTcp;
-    QString host;                   ///< A name or an address, without brackets.
-    quint16 port = 502;             ///< 1 … 65535; 502 when the text names none (§5.2.1).
-    quint8 unit = 1;                ///< Unit identifier; without meaning over TCP, answered as sent (§5.2.3).
-    bool viewOnly = false;          ///< Never writes.
+    QString host;          ///< A name or an address, without brackets.
+    quint16 port = 502;    ///< 1 … 65535; 502 when the text names none (§5.2.1).
+    quint8 unit = 1;       ///< Unit identifier; without meaning over TCP, answered as sent (§5.2.3).
+    bool viewOnly = false; ///< Never writes.
     std::optional<catalog::SensorModel> sensor; ///< What the person says it is; Modbus does not tell.
 
-    QString toString() const;       ///< Canonical; defaults are left out, except the port.
+    QString toString() const; ///< Canonical; defaults are left out, except the port.
     friend bool operator==(const ConnectionUrl&, const ConnectionUrl&) = default;
 };
 
 struct UrlError {
-    QString part;    ///< The piece of the text at fault ("port", "scheme", "unit", ...): a stable word.
-    QString found;   ///< What stands there.
-    QString expected;///< English, for messages of the command line ("a number from 1 to 65535").
+    QString part;     ///< The piece of the text at fault ("port", "scheme", "unit", ...): a stable word.
+    QString found;    ///< What stands there.
+    QString expected; ///< English, for messages of the command line ("a number from 1 to 65535").
 };
 
 /// Unknown schemes, hosts that are none, numbers out of range and unknown parameters are errors.

@@ -6,28 +6,29 @@ namespace lds::ports {
 
 void SensorLink::open()
 {
-    QMetaObject::invokeMethod(this, [this] { doOpen(); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this] { doOpen(); }, Qt::QueuedConnection);
 }
 
 void SensorLink::close()
 {
-    QMetaObject::invokeMethod(this, [this] { doClose(); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this] { doClose(); }, Qt::QueuedConnection);
 }
 
 void SensorLink::submit(const Request& request)
 {
-    QMetaObject::invokeMethod(this, [this, request] { doSubmit(request); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this, request] { doSubmit(request); }, Qt::QueuedConnection);
 }
 
 void SensorLink::poll(int intervalMs)
 {
-    QMetaObject::invokeMethod(this, [this, intervalMs] { doPoll(intervalMs); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this, intervalMs] { doPoll(intervalMs); }, Qt::QueuedConnection);
 }
 
-void LinkDeleter::operator()(SensorLink* link) const
-{
-    link->deleteLater();
-}
+void LinkDeleter::operator()(SensorLink* link) const { link->deleteLater(); }
 
 void registerMetaTypes()
 {

@@ -20,12 +20,12 @@ enum class Urgency : quint8 { Person, Procedure, Background };
 enum class RequestKind : quint8 { Read, Write };
 
 struct Request {
-    RequestId id = 0;              ///< Chosen by the caller, unique per link.
+    RequestId id = 0; ///< Chosen by the caller, unique per link.
     RequestKind kind = RequestKind::Read;
     Urgency urgency = Urgency::Person;
-    QList<catalog::ItemId> items;  ///< Read: the link packs them into as few messages as the protocol allows.
-    settings::Write write;         ///< Write: one message; more than one item only for one WriteGroup.
-    int timeoutMs = 0;             ///< 0: the link's own. Saving silences the sensor for seconds (§5.3.3).
+    QList<catalog::ItemId> items; ///< Read: the link packs them into as few messages as the protocol allows.
+    settings::Write write;        ///< Write: one message; more than one item only for one WriteGroup.
+    int timeoutMs = 0;            ///< 0: the link's own. Saving silences the sensor for seconds (§5.3.3).
 };
 
 /// Every request ends exactly once with one of these.
@@ -46,14 +46,14 @@ enum class FailureCode : quint8 {
     Malformed,            ///< Cut short, or not an answer to the request
     ConnectionLost,
     NotConnected,
-    NotReachable,         ///< The protocol has no address for the item
+    NotReachable, ///< The protocol has no address for the item
     ViewOnly,
 };
 
 struct Failure {
     FailureCode code = FailureCode::None;
-    int wireCode = 0;     ///< Exception code as received; 0 when there was none.
-    QString detail;       ///< For logs; English or the system's own text. Never the only explanation.
+    int wireCode = 0; ///< Exception code as received; 0 when there was none.
+    QString detail;   ///< For logs; English or the system's own text. Never the only explanation.
 };
 
 struct Outcome {
@@ -62,7 +62,7 @@ struct Outcome {
     Status status = Status::Unknown;
     settings::Values values; ///< Read and Done: what was read.
     Failure failure;
-    qint64 finishedNs = 0;   ///< Monotonic time the answer arrived.
+    qint64 finishedNs = 0; ///< Monotonic time the answer arrived.
 };
 
 enum class LinkState : quint8 {
@@ -75,11 +75,11 @@ enum class LinkState : quint8 {
 enum class OpenFailure : quint8 {
     None,
     HostNotFound,
-    Refused,        ///< Nobody listens on that port.
-    NoAnswer,       ///< Nobody answers, or connected but no reply to the first read.
-    NotASensor,     ///< Answers, but not as an HL-G2 does.
-    NotReady,       ///< An HL-G2 in its menu (exception 04).
-    Lost,           ///< Cut while open.
+    Refused,    ///< Nobody listens on that port.
+    NoAnswer,   ///< Nobody answers, or connected but no reply to the first read.
+    NotASensor, ///< Answers, but not as an HL-G2 does.
+    NotReady,   ///< An HL-G2 in its menu (exception 04).
+    Lost,       ///< Cut while open.
 };
 
 struct LinkReport {
@@ -116,7 +116,8 @@ public:
 Q_SIGNALS:
     void reported(const lds::ports::LinkReport& report); ///< At every change of state.
     void finished(const lds::ports::Outcome& outcome);   ///< Exactly once for every submitted request.
-    void measured(const lds::measurement::MeasurementBatch& batch, const lds::ports::PollStatistics& statistics);
+    void measured(const lds::measurement::MeasurementBatch& batch,
+                  const lds::ports::PollStatistics& statistics);
     /// A poll was refused: NotReady while the sensor is in its menu; None when polls succeed again.
     void pollRefused(const lds::ports::Failure& failure);
 

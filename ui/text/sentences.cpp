@@ -154,8 +154,6 @@ QString savedWord(sensor::Saved saved)
 
 QString unreachableReason(const SettingItem& item, const sensor::SensorSession& session)
 {
-    if (item.role == Role::Status)
-        return Sentences::tr("The sensor reports it; it cannot be set.");
     if (!item.modbus && !item.slmp && !item.eip) {
         return item.kind == catalog::Kind::MacAddress
                    ? Sentences::tr("Fixed by the maker; the sensor shows it in menu %1.").arg(item.menu)
@@ -163,6 +161,8 @@ QString unreachableReason(const SettingItem& item, const sensor::SensorSession& 
                          "No protocol has an address for it. Set it with the sensor's keys, menu %1.")
                          .arg(item.menu);
     }
+    if (item.role == Role::Status)
+        return Sentences::tr("The sensor reports it; it cannot be set.");
     if (!session.reaches(item.id) && session.connection() != sensor::Connection::Closed &&
         session.connection() != sensor::Connection::Opening)
         return Sentences::tr("Not reachable over this protocol. Set it with the sensor's keys, or connect "

@@ -29,7 +29,7 @@ QMenu::separator { height: 1px; background: @line; margin: 4px 0; }
 QPushButton { background: @panel; color: @text; border: 1px solid @line; border-radius: 4px;
               padding: 4px 10px; min-height: 18px; }
 QPushButton:hover { background: @hover; }
-QPushButton:pressed, QPushButton:checked { background: @accentSoft; border-color: @accent; }
+QPushButton:pressed, QPushButton:checked { background: @accentSoft; border-color: @checkedLine; }
 QPushButton:focus { border-color: @accent; }
 QPushButton:disabled { color: @disabled; background: transparent; border-color: @grid; }
 QPushButton[primary="true"] { background: @accent; color: @accentText; border-color: @accent; font-weight: 600; }
@@ -39,10 +39,10 @@ QPushButton[primary="true"]:disabled { background: @grid; color: @muted; border-
 QPushButton[quiet="true"] { background: transparent; border-color: transparent; }
 QPushButton[quiet="true"]:hover { background: @hover; }
 QPushButton[quiet="true"]:focus { border-color: @accent; }
-QPushButton[quiet="true"]:checked { background: @accentSoft; border-color: @accent; }
+QPushButton[quiet="true"]:checked { background: @accentSoft; border-color: @checkedLine; }
 QToolButton { background: transparent; color: @text; border: 1px solid transparent; border-radius: 4px; padding: 3px 6px; }
 QToolButton:hover { background: @hover; }
-QToolButton:pressed, QToolButton:checked { background: @accentSoft; border-color: @accent; }
+QToolButton:pressed, QToolButton:checked { background: @accentSoft; border-color: @checkedLine; }
 QToolButton:focus { border-color: @accent; }
 QToolButton:disabled { color: @disabled; }
 
@@ -67,6 +67,10 @@ QCheckBox::indicator:hover, QCheckBox:focus::indicator { border-color: @accent; 
 QCheckBox::indicator:checked { background: @accent; border-color: @accent; image: url(:/lds/sheet/check-@mode.svg); }
 QCheckBox::indicator:disabled { background: @background; border-color: @line; }
 QCheckBox:focus { color: @accent; }
+QRadioButton::indicator { width: 13px; height: 13px; border: 1px solid @controlStrong; border-radius: 7px; background: @panel; }
+QRadioButton::indicator:hover, QRadioButton:focus::indicator { border-color: @accent; }
+QRadioButton::indicator:checked { width: 7px; height: 7px; border: 4px solid @accent; background: @panel; }
+QRadioButton:focus { color: @accent; }
 QCheckBox:disabled { color: @muted; }
 
 QHeaderView { background: @panel; border: none; }
@@ -106,6 +110,10 @@ QLabel[heading="true"] { color: @muted; font-size: 8.25pt; font-weight: 600; }
 QLabel[title="true"] { font-size: 12pt; font-weight: 600; }
 QLabel[muted="true"] { color: @muted; }
 QLabel[error="true"] { color: @error; }
+QFrame[separator="true"] { background: @line; border: none; }
+#toolRow { background: @panel; border-bottom: 1px solid @line; }
+#reviewTable::item { padding: 0 8px; border: none; border-bottom: 1px solid @grid; }
+#reviewTable::item:focus, #reviewTable::item:selected { background: @accentSoft; color: @text; }
 *[card="true"] { background: @panel; border: 1px solid @line; border-radius: 6px; }
 )";
 
@@ -131,6 +139,7 @@ QString styleSheet(const Theme& theme)
         {QStringLiteral("@accentText"), theme.color(ColorRole::AccentText).name()},
         {QStringLiteral("@accentSoft"), theme.color(ColorRole::AccentSoft).name()},
         {QStringLiteral("@accent"), accent.name()},
+        {QStringLiteral("@checkedLine"), mixed(accent, theme.color(ColorRole::AccentSoft), 0.5).name()},
         {QStringLiteral("@background"), theme.color(ColorRole::Background).name()},
         {QStringLiteral("@panel"), panel.name()},
         {QStringLiteral("@line"), line.name()},

@@ -20,7 +20,6 @@ void BannerArea::showMessage(const QString& subject, const Message& message)
         banner = new Banner(this);
         banner->setObjectName(QStringLiteral("banner.") + subject);
         m_banners.insert(subject, banner);
-        layout()->addWidget(banner);
         connect(banner, &Banner::closed, this, [this, subject] { hideMessage(subject); });
         connect(banner, &Banner::actionTriggered, this, [this, subject] {
             // The action may hide its own banner.
@@ -32,8 +31,23 @@ void BannerArea::showMessage(const QString& subject, const Message& message)
     banner->setMessage(message.kind, message.text);
     banner->setAction(message.actionText);
     banner->setClosable(message.closable);
+    place(banner);
     banner->show();
     setVisible(true);
+}
+
+void BannerArea::place(Banner* banner)
+{
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    column->removeWidget(banner);
+    int index = 0;
+    while (index < column->count()) {
+        const auto* other = qobject_cast<Banner*>(column->itemAt(index)->widget());
+        if (other && other->kind() < banner->kind())
+            break;
+        ++index;
+    }
+    column->insertWidget(index, banner);
 }
 
 void BannerArea::hideMessage(const QString& subject)

@@ -9,7 +9,7 @@
 namespace lds::ui {
 
 /// The lines that say what is the matter, under each other. Each subject has at most one line, so a state
-/// that comes again replaces its own message.
+/// that comes again replaces its own message. The gravest stands on top.
 class BannerArea final : public QWidget {
     Q_OBJECT
 
@@ -32,6 +32,8 @@ public:
     bool isEmpty() const { return m_banners.isEmpty(); }
 
 private:
+    void place(Banner* banner);
+
     QMap<QString, Banner*> m_banners;
     QMap<QString, std::function<void()>> m_actions;
 };

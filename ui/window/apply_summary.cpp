@@ -88,7 +88,8 @@ ApplySummary summarize(const sensor::ApplyReport& report, const SensorSession& s
     const int done = int(report.written.size());
     const int failed = int(report.refused.size() + report.different.size() + report.unknown.size());
     if (report.allDone())
-        summary.headline = Words::tr("%n change(s) written, read back and right.", nullptr, done);
+        summary.headline = done == 1 ? Words::tr("1 change written and read back.")
+                                     : Words::tr("%1 changes written and read back.").arg(done);
     else if (report.planFailure)
         summary.headline = Words::tr("Nothing was written: the values contradict each other.");
     else

@@ -30,7 +30,7 @@ QString editsNote(const SensorSession& session)
     const int edits = session.pending().count();
     return edits == 0 ? QString()
                       : QStringLiteral("\n\n") +
-                            Words::tr("Your %n edit(s) stay and are not applied by this.", nullptr, edits);
+                            Words::tr("Your edits that are not applied (%1) stay as they are.").arg(edits);
 }
 
 } // namespace
@@ -101,6 +101,13 @@ QString doneText(const catalog::SettingItem& item, Value value, catalog::SensorM
         return Words::tr("Saved in the sensor.");
     case ItemId::MeasuredValueResetting:
         return Words::tr("The measured value was reset.");
+    case ItemId::LaserStop:
+        return value == 0 ? Words::tr("The laser is on.") : Words::tr("The laser is off.");
+    case ItemId::ZeroSetting:
+        return value == 0 ? Words::tr("The zero set is cleared.") : Words::tr("The zero is set.");
+    case ItemId::KeyLock:
+        return value == 0 ? Words::tr("The sensor's keys are unlocked.")
+                          : Words::tr("The sensor's keys are locked.");
     case ItemId::ResettingCommunicationSettings:
         return Words::tr("The communication settings take effect.");
     default:

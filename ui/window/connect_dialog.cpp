@@ -58,6 +58,7 @@ ConnectDialog::ConnectDialog(sensor::Workspace& workspace, RecentConnections rec
     cancel->setObjectName(QStringLiteral("cancelButton"));
     cancel->setAutoDefault(false);
     column->addWidget(buttons);
+    m_form->setFocus();
     connect(m_connect, &QPushButton::clicked, this, &ConnectDialog::start);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_form, &ConnectionForm::edited, this, [this] {

@@ -29,18 +29,20 @@ ConnectionForm::ConnectionForm(QWidget* parent)
     form->setContentsMargins(0, 0, 0, 0);
     form->setHorizontalSpacing(12);
     form->setVerticalSpacing(8);
-    form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_host = addField(form, tr("&Address"), "host");
     m_host.edit->setPlaceholderText(tr("192.168.1.6, a host name, or a whole URL"));
     m_host.edit->setToolTip(tr("The sensor shows its address in menu 71."));
     m_port = addField(form, tr("&Port"), "port");
     m_port.edit->setText(QString::number(defaultPort));
-    m_port.edit->setToolTip(tr("Modbus port of the sensor, menu 75: %1. Its tool port, menu 74: %2.")
-                                .arg(defaultPort)
-                                .arg(toolPort));
     m_port.edit->setPlaceholderText(QString::number(defaultPort));
 
+    auto* portHint = new QLabel(
+        tr("%1 is the Modbus port (menu 75), %2 the tool port (menu 74).").arg(defaultPort).arg(toolPort),
+        this);
+    portHint->setProperty("muted", true);
+    m_port.edit->parentWidget()->layout()->addWidget(portHint);
     m_type->setObjectName(QStringLiteral("type"));
     m_type->addItem(tr("Find out from what it holds"), -1);
     for (const auto& model : Catalog::hlG2().models())
@@ -60,6 +62,11 @@ ConnectionForm::ConnectionForm(QWidget* parent)
     m_url->setAccessibleName(tr("The connection as a URL"));
     form->addRow(tr("URL"), m_url);
 
+    setFocusProxy(m_host.edit);
+    setTabOrder(m_host.edit, m_port.edit);
+    setTabOrder(m_port.edit, m_type);
+    setTabOrder(m_type, m_name.edit);
+    setTabOrder(m_name.edit, m_viewOnly);
     connect(m_host.edit, &QLineEdit::editingFinished, this, &ConnectionForm::takeWholeUrl);
     for (QLineEdit* edit : {m_host.edit, m_port.edit})
         connect(edit, &QLineEdit::textChanged, this, &ConnectionForm::showUrl);

@@ -22,7 +22,7 @@ EmptyPage::EmptyPage(const WindowActions& actions, QWidget* parent)
                    this);
     text->setWordWrap(true);
     text->setProperty("muted", true);
-    text->setMaximumWidth(460);
+    text->setFixedWidth(440);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
     // The one blue button of the window is grey while there is nothing to apply, so this is the next step.

@@ -22,7 +22,8 @@ QStringList lossesOf(const QList<SensorSession*>& sessions)
         if (session->isApplying())
             parts += Words::tr("changes are being written");
         if (const int edits = session->pending().count())
-            parts += Words::tr("%n edit(s) not applied", nullptr, edits);
+            parts +=
+                edits == 1 ? Words::tr("1 edit not applied") : Words::tr("%1 edits not applied").arg(edits);
         if (session->saved() == sensor::Saved::NotSaved)
             parts += Words::tr("not saved in the sensor: gone when its power goes");
         if (!parts.isEmpty())

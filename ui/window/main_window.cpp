@@ -87,6 +87,7 @@ MainWindow::MainWindow(sensor::Workspace& workspace, MessageLog& log, ports::Sch
     connect(&workspace, &sensor::Workspace::currentChanged, this, &MainWindow::setSession);
     restore();
     setSession(workspace.current());
+    centralWidget()->setFocus(); // no button waits to be pressed by accident
 }
 
 MainWindow::~MainWindow() = default;

@@ -1,10 +1,12 @@
 #include "review_dialog.h"
 
 #include "apply_summary.h"
+#include "command_texts.h"
 #include "review_table_model.h"
 #include "sentences.h"
 #include "theme.h"
 
+#include <algorithm>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -25,6 +27,7 @@ ReviewDialog::ReviewDialog(SensorSession& session, QWidget* parent)
     , m_title(new QLabel(this))
     , m_summary(new QLabel(this))
     , m_problems(new QWidget(this))
+    , m_why(new QLabel(this))
     , m_order(new QLabel(this))
     , m_progress(new QProgressBar(this))
     , m_progressText(new QLabel(this))
@@ -32,6 +35,7 @@ ReviewDialog::ReviewDialog(SensorSession& session, QWidget* parent)
     setObjectName(QStringLiteral("reviewDialog"));
     setWindowTitle(tr("Review and apply \u2013 %1").arg(session.name()));
     setAttribute(Qt::WA_DeleteOnClose);
+    resize(sizeHint());
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 16, 20, 16);
@@ -49,6 +53,10 @@ ReviewDialog::ReviewDialog(SensorSession& session, QWidget* parent)
     problems->setContentsMargins(0, 0, 0, 0);
     problems->setSpacing(4);
     column->addWidget(m_problems);
+    m_why->setObjectName(QStringLiteral("whyNotNow"));
+    m_why->setWordWrap(true);
+    m_why->setProperty("error", true);
+    column->addWidget(m_why);
     m_order->setProperty("muted", true);
     m_order->setWordWrap(true);
     column->addWidget(m_order);
@@ -78,11 +86,12 @@ QWidget* ReviewDialog::buildTable()
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setTabKeyNavigation(false);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->setProperty("card", true);
     QHeaderView* header = m_table->horizontalHeader();
     header->setHighlightSections(false);
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
-    header->setSectionResizeMode(ReviewTableModel::Item, QHeaderView::Stretch);
+    header->setSectionResizeMode(ReviewTableModel::Note, QHeaderView::Stretch);
     connect(m_table, &QTableView::activated, this, [this](const QModelIndex& index) {
         Q_EMIT jumpRequested(m_model->rows().at(index.row()).items.first());
     });
@@ -128,15 +137,22 @@ void ReviewDialog::refresh()
 {
     if (!m_session)
         return;
-    const int count = m_session->pending().count();
-    m_title->setText(count == 0 ? tr("Nothing to apply") : tr("%n change(s) to apply", nullptr, count));
-    m_apply->setText(tr("&Apply %n change(s)", nullptr, count));
+    const auto& rows = m_model->rows();
+    const int conflicts = int(std::ranges::count(rows, true, &ReviewTableModel::Row::conflict));
+    const int count = int(rows.size()) - conflicts; // what is in conflict waits for a decision
+    m_title->setText(rows.isEmpty()     ? tr("Nothing to apply")
+                     : rows.size() == 1 ? tr("1 change")
+                                        : tr("%1 changes").arg(rows.size()));
+    m_apply->setText(count == 1 ? tr("&Apply 1 change") : tr("&Apply %1 changes").arg(count));
     if (!m_session->isApplying()) {
         showProblems();
         showOrder();
     }
     m_apply->setEnabled(count > 0 && m_session->canWrite() && !m_session->isApplying() &&
-                        m_session->problems().isEmpty());
+                        (conflicts > 0 || m_session->problems().isEmpty()));
+    const QString why = m_session->isApplying() ? QString() : whyNotNow(*m_session);
+    m_why->setText(why);
+    m_why->setVisible(!why.isEmpty());
 }
 
 void ReviewDialog::showProblems()
@@ -227,7 +243,7 @@ void ReviewDialog::showOrder()
 {
     const auto plan = m_session->plan();
     QStringList names;
-    if (plan) {
+    if (plan && std::ranges::none_of(m_model->rows(), &ReviewTableModel::Row::conflict)) {
         for (const auto& write : plan->steps)
             names += writeName(write, *m_session);
     }
@@ -243,13 +259,8 @@ void ReviewDialog::start()
     m_summary->hide();
     setApplying(true);
     progress(0, int(m_model->rows().size()));
-    if (!m_session->apply()) {
+    if (!m_session->apply())
         setApplying(false);
-        m_summary->setText(
-            tr("Nothing was written: the sensor cannot be written to just now. Wait until it is "
-               "connected and ready."));
-        m_summary->show();
-    }
     refresh();
 }
 

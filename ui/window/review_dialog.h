@@ -50,6 +50,7 @@ private:
     QLabel* m_title;
     QLabel* m_summary;
     QWidget* m_problems;
+    QLabel* m_why; ///< Why nothing can be written now.
     QLabel* m_order;
     QProgressBar* m_progress;
     QLabel* m_progressText;

@@ -46,6 +46,39 @@ QFont boldFont(const QFont& font)
     return bold;
 }
 
+void paintBackground(QPainter* painter, const QRect& place, QStyle::State state)
+{
+    const bool selected = state & QStyle::State_Selected;
+    if (selected || (state & QStyle::State_MouseOver)) {
+        painter->setPen(Qt::NoPen);
+        painter->setBrush(color(selected ? ColorRole::AccentSoft : ColorRole::Hover));
+        painter->drawRoundedRect(place, 4, 4);
+    }
+    if (state & QStyle::State_HasFocus) {
+        painter->setPen(color(ColorRole::Accent));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRoundedRect(QRectF(place).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+    }
+}
+
+/// How many edits wait for the sensor, in the colours of an edited row, at the right end of `line`.
+/// Returns the width it took.
+int paintBadge(QPainter* painter, const QRect& line, int edits, const QFont& font)
+{
+    if (edits == 0)
+        return 0;
+    const QString text = QString::number(edits);
+    painter->setFont(font);
+    const int width = painter->fontMetrics().horizontalAdvance(text) + 12;
+    const QRectF badge(line.right() - width + 1, line.top() + 1, width, line.height() - 2);
+    painter->setPen(color(ColorRole::EditBar));
+    painter->setBrush(color(ColorRole::Edit));
+    painter->drawRoundedRect(badge.adjusted(0.5, 0.5, -0.5, -0.5), badge.height() / 2, badge.height() / 2);
+    painter->setPen(color(ColorRole::Warning));
+    painter->drawText(badge, Qt::AlignCenter, text);
+    return width + 4;
+}
+
 } // namespace
 
 void SensorDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -54,17 +87,7 @@ void SensorDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     const QRect place = option.rect.adjusted(0, 0, 0, -4);
-    const bool selected = option.state & QStyle::State_Selected;
-    if (selected || (option.state & QStyle::State_MouseOver)) {
-        painter->setPen(Qt::NoPen);
-        painter->setBrush(color(selected ? ColorRole::AccentSoft : ColorRole::Hover));
-        painter->drawRoundedRect(place, 4, 4);
-    }
-    if (option.state & QStyle::State_HasFocus) {
-        painter->setPen(color(ColorRole::Accent));
-        painter->setBrush(Qt::NoBrush);
-        painter->drawRoundedRect(QRectF(place).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
-    }
+    paintBackground(painter, place, option.state);
 
     const auto look = lookOf(SensorListModel::State(index.data(SensorListModel::StateRole).toInt()));
     const QFontMetrics bold(boldFont(option.font));
@@ -75,11 +98,13 @@ void SensorDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
         .icon(QLatin1StringView(look.icon), look.role)
         .paint(painter,
                QRect(place.left() + padding, line.center().y() - iconSize / 2 + 1, iconSize, iconSize));
+    const int taken =
+        paintBadge(painter, line, index.data(SensorListModel::EditsRole).toInt(), smallFont(option.font));
 
     painter->setFont(boldFont(option.font));
     painter->setPen(color(ColorRole::Text));
     painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
-                      bold.elidedText(index.data().toString(), Qt::ElideRight, line.width()));
+                      bold.elidedText(index.data().toString(), Qt::ElideRight, line.width() - taken));
     painter->setFont(smallFont(option.font));
     painter->setPen(color(ColorRole::Muted));
     const QStringList texts{index.data(SensorListModel::DetailRole).toString(),

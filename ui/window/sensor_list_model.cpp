@@ -66,8 +66,6 @@ QString sensorDetail(const SensorSession& session)
         parts += trouble;
     else if (const auto bank = session.held(ItemId::BankSwitching))
         parts += SensorListModel::tr("bank %1").arg(*bank);
-    if (const int edits = session.pending().count())
-        parts += SensorListModel::tr("%n edit(s)", nullptr, edits);
     return parts.join(QStringLiteral(" · "));
 }
 
@@ -96,12 +94,15 @@ QVariant SensorListModel::data(const QModelIndex& index, int role) const
     case Qt::ToolTipRole:
         return session->url().toString();
     case Qt::AccessibleTextRole:
-        return QStringLiteral("%1, %2, %3")
-            .arg(session->name(), connectionWord(session->connection()), sensorDetail(*session));
+        return tr("%1, %2, %3, edits not applied: %4")
+            .arg(session->name(), connectionWord(session->connection()), sensorDetail(*session))
+            .arg(session->pending().count());
     case StateRole:
         return int(sensorState(*session));
     case DetailRole:
         return sensorDetail(*session);
+    case EditsRole:
+        return session->pending().count();
     case UrlRole: {
         ports::ConnectionUrl plain = session->url();
         plain.sensor.reset(); // it stands on the line above

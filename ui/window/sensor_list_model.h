@@ -12,7 +12,7 @@ class SensorListModel final : public QAbstractListModel {
 
 public:
     enum class State { Good, Warning, Busy, Offline };
-    enum Role { StateRole = Qt::UserRole, DetailRole, UrlRole };
+    enum Role { StateRole = Qt::UserRole, DetailRole, UrlRole, EditsRole };
 
     SensorListModel(sensor::Workspace& workspace, QObject* parent = nullptr);
 

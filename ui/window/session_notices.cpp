@@ -3,6 +3,8 @@
 #include "item_text.h"
 #include "sentences.h"
 
+#include <algorithm>
+
 namespace lds::ui {
 
 using catalog::ItemId;
@@ -89,9 +91,7 @@ void SessionNotices::showConnection()
     if (m_session->connection() == Connection::Closed) {
         m_area.showMessage(
             connectionSubject,
-            {Kind::Information,
-             tr("%1 is not connected. What you see is what was read last.").arg(m_session->name()),
-             tr("Connect"), [this] {
+            {Kind::Information, tr("%1 is not connected.").arg(m_session->name()), tr("Connect"), [this] {
                  if (m_session)
                      m_session->open();
              }});
@@ -205,13 +205,14 @@ void SessionNotices::showExternal(const QList<sensor::ExternalChange>& changes)
                  {},
                  {},
                  true});
-        } else if (item.role == catalog::Role::Setting) {
+        } else if (item.role == catalog::Role::Setting && !m_session->pending().find(change.item)) {
             items += change.item;
         }
     }
-    const bool bankChanged = items.size() < changes.size();
+    const bool bankChanged =
+        std::ranges::any_of(changes, [](const auto& change) { return change.item == ItemId::BankSwitching; });
     if (items.isEmpty() || bankChanged)
-        return; // another bank brings other values along
+        return; // another bank brings other values along; an edit's conflict has a line of its own
     const ItemId first = items.first();
     m_area.showMessage(externalSubject, {Kind::Information,
                                          tr("Changed by someone else: %1.").arg(itemNames(*m_session, items)),

@@ -56,6 +56,7 @@ void StatusLine::setSession(SensorSession* session)
     if (m_session)
         m_session->disconnect(this);
     m_session = session;
+    sayUntilDone({}); // it was about the other one
     if (session) {
         connect(session, &SensorSession::connectionChanged, this, &StatusLine::refresh);
         connect(session, &SensorSession::pendingChanged, this, &StatusLine::refresh);
@@ -77,7 +78,7 @@ void StatusLine::refresh()
     m_protocol->setText(m_session->linkReport().lowWordFirst ? tr("Modbus TCP, low word first")
                                                              : tr("Modbus TCP, high word first"));
     const int edits = m_session->pending().count();
-    m_pending->setText(edits == 0 ? tr("nothing pending") : tr("%n pending", nullptr, edits));
+    m_pending->setText(edits == 0 ? tr("nothing pending") : tr("%1 pending").arg(edits));
     if (const auto bank = m_session->held(ItemId::BankSwitching))
         m_bank->setText(
             displayValue(m_session->catalog().item(ItemId::BankSwitching), m_session->model(), *bank));

@@ -53,6 +53,7 @@ ToolRow::ToolRow(const WindowActions& actions, QWidget* parent)
 {
     using Look = ActionButton::Look;
     setObjectName(QStringLiteral("toolRow"));
+    setAttribute(Qt::WA_StyledBackground);
     m_saved->setObjectName(QStringLiteral("savedPill"));
     m_saved->hide();
     auto* row = new QHBoxLayout(this);
@@ -69,8 +70,8 @@ ToolRow::ToolRow(const WindowActions& actions, QWidget* parent)
     auto* undo = add(actions.undo, Look::Quiet);
     auto* redo = add(actions.redo, Look::Quiet);
     auto* line = new QFrame(this);
-    line->setFrameShape(QFrame::VLine);
-    line->setFixedHeight(20);
+    line->setProperty("separator", true);
+    line->setFixedSize(1, 20);
     row->addSpacing(4);
     row->addWidget(line);
     row->addSpacing(4);

@@ -24,23 +24,23 @@ enum class Exception : quint8 {
     Other = 0x04,
 };
 
-inline constexpr int maximumCoils = 2000;     ///< FC 01
-inline constexpr int maximumReadRegisters = 125; ///< FC 03
+inline constexpr int maximumCoils = 2000;         ///< FC 01
+inline constexpr int maximumReadRegisters = 125;  ///< FC 03
 inline constexpr int maximumWriteRegisters = 123; ///< FC 10h
 
 struct Request {
     Function function = Function::ReadHoldingRegisters;
-    quint16 address = 0;        ///< As on the wire: register − 400001, coil − 1.
-    quint16 count = 0;          ///< Coils or registers; 1 for WriteSingleRegister.
-    QList<quint16> registers;   ///< Values to write.
+    quint16 address = 0;      ///< As on the wire: register − 400001, coil − 1.
+    quint16 count = 0;        ///< Coils or registers; 1 for WriteSingleRegister.
+    QList<quint16> registers; ///< Values to write.
 };
 
 struct Response {
     Function function = Function::ReadHoldingRegisters;
-    quint16 address = 0;        ///< Echoed by the write functions, taken from the request otherwise.
+    quint16 address = 0; ///< Echoed by the write functions, taken from the request otherwise.
     quint16 count = 0;
-    QList<quint16> registers;   ///< FC 03, and the echoed value of FC 06.
-    QList<bool> coils;          ///< FC 01, exactly `count`.
+    QList<quint16> registers; ///< FC 03, and the echoed value of FC 06.
+    QList<bool> coils;        ///< FC 01, exactly `count`.
 };
 
 QByteArray encodeRequest(const Request& request);
@@ -53,10 +53,10 @@ QByteArray encodeException(quint8 functionCode, Exception exception);
 
 enum class ResponseError {
     Empty,
-    Refused,   ///< The sensor's exception: see `exceptionCode`.
-    Function,  ///< The answer to another function.
-    Length,    ///< Cut short, too long, or a byte count that does not fit the request.
-    Echo,      ///< A write's echo names another address, count or value.
+    Refused,  ///< The sensor's exception: see `exceptionCode`.
+    Function, ///< The answer to another function.
+    Length,   ///< Cut short, too long, or a byte count that does not fit the request.
+    Echo,     ///< A write's echo names another address, count or value.
 };
 struct ResponseFailure {
     ResponseError error;
