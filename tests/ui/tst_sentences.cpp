@@ -163,8 +163,12 @@ private Q_SLOTS:
         ADD(seen, say(FrameMeaning::AnswerCoils, {u"1"_s, u"16"_s}));
         ADD(seen, say(FrameMeaning::Written, {u"400101"_s, u"400102"_s}));
         ADD(seen, say(FrameMeaning::NoAnswer, {u"500"_s}));
-        ADD(seen, say(FrameMeaning::Malformed, {u"short"_s}));
-        ADD(seen, say(FrameMeaning::Malformed, {u"function"_s}));
+        for (const QString& what : {u"short"_s, u"length"_s, u"function"_s, u"echo"_s, u"empty"_s,
+                                    u"transaction"_s, u"unit"_s, u"header"_s}) {
+            ADD(seen, say(FrameMeaning::Malformed, {what}));
+            QVERIFY2(!say(FrameMeaning::Malformed, {what}).endsWith(u": "_s + what),
+                     qPrintable(what)); // a bare code
+        }
         ADD(seen, say(FrameMeaning::Unknown, {}));
         for (const QString& code : {u"1"_s, u"2"_s, u"3"_s, u"4"_s, u"9"_s})
             ADD(seen, say(FrameMeaning::Refused, {u"16"_s, code}));

@@ -45,7 +45,13 @@ QString malformedWords(const QString& what)
     if (what == QStringLiteral("echo"))
         return Sentences::tr("its echo differs from the request");
     if (what == QStringLiteral("empty"))
-        return Sentences::tr("empty");
+        return Sentences::tr("an empty message");
+    if (what == QStringLiteral("transaction"))
+        return Sentences::tr("an answer that came too late or that nothing asked for");
+    if (what == QStringLiteral("unit"))
+        return Sentences::tr("the answer of another unit");
+    if (what == QStringLiteral("header"))
+        return Sentences::tr("no Modbus TCP message");
     return what.isEmpty() ? Sentences::tr("not readable") : what;
 }
 
