@@ -95,13 +95,23 @@ int buttonWidth(const QStyleOptionViewItem& option, const QString& text)
     return option.fontMetrics.horizontalAdvance(text) + 2 * padding + Theme::unit + iconSize;
 }
 
+/// On the baseline of the cell's own font: a sign that comes from another font must not move the figures.
+void paintText(QPainter* painter, const QRect& rect, Qt::Alignment alignment, const QString& text)
+{
+    const QFontMetrics metrics(painter->font());
+    const int spare = rect.width() - metrics.horizontalAdvance(text);
+    const int x = rect.left() + (alignment.testFlag(Qt::AlignRight) ? spare : 0);
+    const int y = rect.top() + (rect.height() - metrics.height()) / 2 + metrics.ascent();
+    painter->drawText(QPoint(x, y), text);
+}
+
 void paintMenuCell(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index)
 {
     const SettingRow& row = rowOf(index);
     if (!row.menu)
         return;
     const QString number = QString::number(row.menu);
-    painter->drawText(option.rect, Qt::AlignVCenter | Qt::AlignLeft, number);
+    paintText(painter, option.rect, Qt::AlignLeft, number);
     // All bars begin at one place, so that the levels can be read down the column.
     QRect bars = option.rect;
     bars.setLeft(bars.left() + menuNumberWidth(option));
@@ -187,7 +197,7 @@ void paintCell(QPainter* painter, const QStyleOptionViewItem& option, const QMod
         if (isValueColumn(index.column()))
             inside.setRight(inside.right() - pointPadding(text, rowOf(index), metrics));
         const auto alignment = Qt::Alignment(index.data(Qt::TextAlignmentRole).toInt());
-        painter->drawText(inside, int(alignment), metrics.elidedText(text, Qt::ElideRight, inside.width()));
+        paintText(painter, inside, alignment, metrics.elidedText(text, Qt::ElideRight, inside.width()));
     }
     painter->restore();
 }
