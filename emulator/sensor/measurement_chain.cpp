@@ -1,27 +1,37 @@
 #include "measurement_chain.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace lds::emulator {
 
 namespace {
+
 constexpr Nanometres spanUnit = 10'000;
-}
+
+} // namespace
 
 void MeasurementChain::setSettings(const ChainSettings& settings)
 {
     if (settings == m_settings)
         return;
     const ChainSettings before = std::exchange(m_settings, settings);
+    if (before.outputDelay != settings.outputDelay) {
+        for (OutputDelayTimer& timer : m_timers)
+            timer.setSettings(settings.outputDelay);
+    }
     if (before.averageTimes != settings.averageTimes || before.holdMode != settings.holdMode ||
         before.triggerMode != settings.triggerMode) {
         restart();
         return;
     }
     // §4.7.2 note 1: changed while unmeasurable, it shows ---- until light comes back.
-    if (before.alarmShown != settings.alarmShown && !measurable())
-        m_output.reset();
-    judge();
+    if (before.alarmShown != settings.alarmShown && !measurable()) {
+        m_blank = true;
+        m_live.value.reset();
+        m_output.value.reset();
+    }
+    judge(m_timeNs);
 }
 
 void MeasurementChain::restart()
@@ -32,47 +42,82 @@ void MeasurementChain::restart()
     m_sum = 0;
     m_highest.reset();
     m_lowest.reset();
-    m_output.reset();
+    m_live.value.reset();
+    m_output = m_live;
     m_holding = m_settings.triggerMode == TriggerMode::Hold && m_trigger;
-    m_judgment = Judgment::None;
+    judge(m_timeNs);
 }
 
-void MeasurementChain::settle(const Reflection& reflection, bool trigger)
+void MeasurementChain::reset()
+{
+    restart();
+    for (OutputDelayTimer& timer : m_timers)
+        timer.reset();
+}
+
+void MeasurementChain::settle(const Reflection& reflection, bool trigger, qint64 timeNs)
 {
     for (std::size_t i = 0; i < m_ring.size(); ++i)
-        sample(reflection, true, trigger);
+        sample(reflection, true, trigger, timeNs);
 }
 
-void MeasurementChain::sample(const Reflection& reflection, bool laserEmitting, bool trigger)
+void MeasurementChain::sample(const Reflection& reflection, bool laserEmitting, bool trigger, qint64 timeNs)
 {
     m_reflection = reflection;
+    if (laserEmitting) {
+        if (measurable())
+            average(reflection.distance);
+        else
+            countUnmeasurable();
+    }
+    refresh(laserEmitting, trigger, timeNs);
+}
+
+void MeasurementChain::refresh(bool laserEmitting, bool trigger, qint64 timeNs)
+{
+    m_timeNs = timeNs;
     if (!laserEmitting) { // nothing to see, and nothing wrong either
-        restart();
-        m_trigger = trigger;
         m_unmeasurable = 0;
-        m_alarm = false;
+        m_blank = false;
+        m_live = {};
+        m_output = {};
+        m_trigger = trigger;
+        const bool holding = m_settings.triggerMode == TriggerMode::Hold && trigger;
+        if (m_filled > 0 || m_judgment != Judgment::None || m_holding != holding)
+            restart();
         return;
     }
     if (measurable()) {
         m_unmeasurable = 0;
-        m_alarm = false;
-        average(reflection.distance);
-        hold(corrected(), trigger);
-    } else { // the last value stays while the alarm is delayed, and after it (§4.7.1, §4.7.2)
-        m_unmeasurable = std::min(m_unmeasurable + 1, m_settings.alarmDelayCount + 1);
-        m_alarm = m_settings.alarmDelayCount > 0 && m_unmeasurable > m_settings.alarmDelayCount;
-        hold(std::nullopt, trigger);
+        m_blank = false;
+        m_live = {corrected(), false};
     }
+    hold(trigger);
     m_trigger = trigger;
-    judge();
+    judge(timeNs);
+}
+
+void MeasurementChain::advance(qint64 timeNs)
+{
+    m_timeNs = timeNs;
+    for (OutputDelayTimer& timer : m_timers)
+        timer.advance(timeNs);
 }
 
 void MeasurementChain::average(Nanometres distance)
 {
     m_sum += distance - m_ring[m_next];
     m_ring[m_next] = distance;
-    m_next = (m_next + 1) % m_ring.size();
+    if (++m_next == m_ring.size())
+        m_next = 0;
     m_filled = std::min(m_filled + 1, m_ring.size());
+}
+
+/// The last value stays while the alarm is delayed, and after it (§4.7.1, §4.7.2).
+void MeasurementChain::countUnmeasurable()
+{
+    m_unmeasurable = std::min(m_unmeasurable + 1, m_settings.alarmDelayCount + 1);
+    m_live.alarm = m_settings.alarmDelayCount > 0 && m_unmeasurable > m_settings.alarmDelayCount;
 }
 
 std::optional<Nanometres> MeasurementChain::beforeZero() const
@@ -91,68 +136,85 @@ std::optional<Nanometres> MeasurementChain::corrected() const
     return (*value - m_settings.zeroCorrection.value_or(0)) * m_settings.span / spanUnit + m_settings.offset;
 }
 
-void MeasurementChain::hold(std::optional<Nanometres> now, bool trigger)
+void MeasurementChain::hold(bool trigger)
 {
     const bool raised = trigger && !m_trigger;
     const bool released = !trigger && m_trigger;
     if (m_settings.holdMode != HoldMode::None) {
-        holdExtremes(now, trigger, released);
+        holdExtremes(trigger, released);
         return;
     }
     if (m_settings.triggerMode == TriggerMode::OneShot) {
         // Indeterminate until the first trigger, then every rising edge brings a new value (§4.6.2).
-        if (raised && now) {
-            m_output = now;
+        if (raised) {
+            m_output = m_live;
             m_holding = true;
         }
         return;
     }
     m_holding = trigger;
-    if (now && (!trigger || raised || !m_output))
-        m_output = now;
+    if (!trigger || raised || !m_output.isThere())
+        m_output = m_live;
 }
 
-void MeasurementChain::holdExtremes(std::optional<Nanometres> now, bool trigger, bool released)
+void MeasurementChain::holdExtremes(bool trigger, bool released)
 {
     m_holding = trigger;
     if (released) { // §4.3.4: the held value starts afresh when the trigger goes OFF
         m_highest.reset();
         m_lowest.reset();
     }
-    if (!now || (trigger && m_output))
+    if (trigger && m_output.isThere())
         return;
-    m_highest = std::max(m_highest.value_or(*now), *now);
-    m_lowest = std::min(m_lowest.value_or(*now), *now);
+    m_output.alarm = m_live.alarm;
+    if (!measurable() || !m_live.value) {
+        if (m_blank)
+            m_output.value.reset();
+        return;
+    }
+    const Nanometres now = *m_live.value;
+    m_highest = std::max(m_highest.value_or(now), now);
+    m_lowest = std::min(m_lowest.value_or(now), now);
     switch (m_settings.holdMode) {
     case HoldMode::None:
         break;
     case HoldMode::Peak:
-        m_output = m_highest;
+        m_output.value = m_highest;
         break;
     case HoldMode::Bottom:
-        m_output = m_lowest;
+        m_output.value = m_lowest;
         break;
     case HoldMode::PeakToPeak:
-        m_output = *m_highest - *m_lowest;
+        m_output.value = *m_highest - *m_lowest;
         break;
     }
 }
 
 /// §4.4.3: HIGH comes above the set value and goes at the hysteresis below it; LOW the other way round.
-void MeasurementChain::judge()
+Judgment MeasurementChain::judged() const
 {
-    if (!m_output) {
-        m_judgment = Judgment::None;
-        return;
-    }
+    if (!m_output.value || alarmShown())
+        return Judgment::None;
     const bool wasHigh = m_judgment == Judgment::High;
     const bool wasLow = m_judgment == Judgment::Low;
-    if (*m_output > m_settings.high - (wasHigh ? m_settings.hysteresis : 0))
-        m_judgment = Judgment::High;
-    else if (*m_output < m_settings.low + (wasLow ? m_settings.hysteresis : 0))
-        m_judgment = Judgment::Low;
-    else
-        m_judgment = Judgment::Go;
+    if (*m_output.value > m_settings.high - (wasHigh ? m_settings.hysteresis : 0))
+        return Judgment::High;
+    if (*m_output.value < m_settings.low + (wasLow ? m_settings.hysteresis : 0))
+        return Judgment::Low;
+    return Judgment::Go;
+}
+
+void MeasurementChain::judge(qint64 timeNs)
+{
+    m_judgment = judged();
+    m_timers[0].judge(m_judgment == Judgment::High, timeNs);
+    m_timers[1].judge(m_judgment == Judgment::Go, timeNs);
+    m_timers[2].judge(m_judgment == Judgment::Low, timeNs);
+}
+
+JudgmentOutputs MeasurementChain::outputs() const
+{
+    return {m_timers[0].output(), m_timers[1].output(), m_timers[2].output()};
 }
 
 } // namespace lds::emulator

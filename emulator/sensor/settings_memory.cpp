@@ -70,6 +70,16 @@ void SettingsMemory::setZeroCorrection(int bank, Nanometres correction)
     m_banks[std::size_t(bank)].zeroCorrection = correction;
 }
 
+std::optional<BrightnessRange> SettingsMemory::tunedBrightness(int bank) const
+{
+    return m_banks[std::size_t(bank)].tunedBrightness;
+}
+
+void SettingsMemory::setTunedBrightness(int bank, std::optional<BrightnessRange> range)
+{
+    m_banks[std::size_t(bank)].tunedBrightness = range;
+}
+
 void SettingsMemory::copyBank(const SettingsMemory& source, int from, int to)
 {
     m_banks[std::size_t(to)] = source.m_banks[std::size_t(from)];
@@ -79,6 +89,7 @@ void SettingsMemory::initializeBank(int bank)
 {
     Bank& target = m_banks[std::size_t(bank)];
     target.zeroCorrection = 0;
+    target.tunedBrightness.reset();
     for (const SettingItem& item : Catalog::hlG2().items()) {
         if (holds(item) && item.scope == Scope::Bank)
             target.values.insert(item.id, factoryDefault(item, m_model));
@@ -94,6 +105,13 @@ void SettingsMemory::initializeAllAreas()
         if (item.id != ItemId::LanguageSetting && !isCommunication(item))
             entry.value() = factoryDefault(item, m_model);
     }
+}
+
+void SettingsMemory::initializeSetValues()
+{
+    initializeAllAreas();
+    m_common[ItemId::LanguageSetting] = factoryDefault(hlG2(ItemId::LanguageSetting), m_model);
+    m_inputPolarity = InputPolarity::Npn;
 }
 
 } // namespace lds::emulator

@@ -18,9 +18,15 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr auto formatName = "lds-emulator-state"_L1;
-constexpr int formatVersion = 1;
+constexpr int formatVersion = 2;
 constexpr qint64 largestFile = 256 * 1024;
 constexpr auto zeroCorrectionKey = "zeroCorrectionNm"_L1;
+constexpr auto tunedBrightnessKey = "tunedBrightness"_L1;
+constexpr auto inputPolarityKey = "inputPolarity"_L1;
+constexpr auto lifeKey = "life"_L1;
+constexpr auto operatingSecondsKey = "operatingSeconds"_L1;
+constexpr auto memoryWritesKey = "memoryWrites"_L1;
+constexpr qint64 mostCounted = 1'000'000'000'000; ///< Of seconds or writes: nobody lives that long.
 /// No workpiece is measured farther away than this.
 constexpr Nanometres largestCorrection = 2'000'000'000;
 
@@ -68,7 +74,7 @@ Loaded loadValues(const QJsonObject& object, const QString& where, Scope scope, 
 {
     QSet<QString> known;
     if (scope == Scope::Bank)
-        known.insert(zeroCorrectionKey);
+        known += {zeroCorrectionKey, tunedBrightnessKey};
     for (const SettingItem& item : Catalog::hlG2().items()) {
         if (SettingsMemory::holds(item) && item.scope == scope)
             known.insert(keyOf(item));
@@ -92,6 +98,23 @@ Loaded loadValues(const QJsonObject& object, const QString& where, Scope scope, 
     return {};
 }
 
+Loaded loadTunedBrightness(const QJsonValue& value, const QString& field, int bank, SettingsMemory& memory)
+{
+    if (value.isNull())
+        return {};
+    const QJsonArray range = value.toArray();
+    if (range.size() != 2)
+        return problem(field, u"has to be null or [lowest, highest]"_s);
+    const auto lowest = wholeNumber(range.at(0), field + u"[0]"_s, 0, LightReceiver::fullBrightness);
+    if (!lowest)
+        return tl::unexpected(lowest.error());
+    const auto highest = wholeNumber(range.at(1), field + u"[1]"_s, *lowest, LightReceiver::fullBrightness);
+    if (!highest)
+        return tl::unexpected(highest.error());
+    memory.setTunedBrightness(bank, BrightnessRange{int(*lowest), int(*highest)});
+    return {};
+}
+
 Loaded loadBank(const QJsonValue& value, int bank, SettingsMemory& memory)
 {
     const QString where = u"banks[%1]"_s.arg(bank);
@@ -105,6 +128,10 @@ Loaded loadBank(const QJsonValue& value, int bank, SettingsMemory& memory)
     if (!correction)
         return tl::unexpected(correction.error());
     memory.setZeroCorrection(bank, *correction);
+    if (const Loaded tuned = loadTunedBrightness(object.value(tunedBrightnessKey),
+                                                 where + u'.' + tunedBrightnessKey, bank, memory);
+        !tuned)
+        return tuned;
     if (const auto stored = judgeStored(memory, bank); !stored) {
         const ItemId item = stored.error().item;
         const QString part = SettingsMemory::isBanked(item) ? where : u"common"_s;
@@ -127,9 +154,39 @@ Loaded checkStamp(const QJsonObject& root, SensorModel model)
     return {};
 }
 
+tl::expected<InputPolarity, QString> polarityOf(const QJsonValue& value)
+{
+    if (value == QJsonValue(u"NPN"_s))
+        return InputPolarity::Npn;
+    if (value == QJsonValue(u"PNP"_s))
+        return InputPolarity::Pnp;
+    return problem(inputPolarityKey, u"has to be \"NPN\" or \"PNP\""_s);
+}
+
+tl::expected<LifeCounters, QString> lifeOf(const QJsonValue& value)
+{
+    const QJsonObject object = value.toObject();
+    if (const Loaded keys = checkKeys(object, lifeKey, {operatingSecondsKey, memoryWritesKey}); !keys)
+        return tl::unexpected(keys.error());
+    const QString prefix = lifeKey + u'.';
+    const auto seconds =
+        wholeNumber(object.value(operatingSecondsKey), prefix + operatingSecondsKey, 0, mostCounted);
+    if (!seconds)
+        return tl::unexpected(seconds.error());
+    const auto writes = wholeNumber(object.value(memoryWritesKey), prefix + memoryWritesKey, 0, mostCounted);
+    if (!writes)
+        return tl::unexpected(writes.error());
+    return LifeCounters{*seconds, *writes};
+}
+
+QJsonValue tunedBrightnessJson(const std::optional<BrightnessRange>& range)
+{
+    return range ? QJsonValue(QJsonArray{range->lowest, range->highest}) : QJsonValue();
+}
+
 } // namespace
 
-QByteArray toStateJson(const SettingsMemory& memory)
+QByteArray toStateJson(const SettingsMemory& memory, const LifeCounters& life)
 {
     QJsonObject common;
     std::array<QJsonObject, SettingsMemory::bankCount> banks;
@@ -144,18 +201,24 @@ QByteArray toStateJson(const SettingsMemory& memory)
     QJsonArray bankArray;
     for (int bank = 0; bank < SettingsMemory::bankCount; ++bank) {
         banks[std::size_t(bank)].insert(zeroCorrectionKey, memory.zeroCorrection(bank));
+        banks[std::size_t(bank)].insert(tunedBrightnessKey,
+                                        tunedBrightnessJson(memory.tunedBrightness(bank)));
         bankArray.append(banks[std::size_t(bank)]);
     }
     const QString sensor = QString::fromLatin1(Catalog::hlG2().model(memory.model()).typeName);
     return QJsonDocument(QJsonObject{{u"format"_s, formatName},
                                      {u"version"_s, formatVersion},
                                      {u"sensor"_s, sensor},
+                                     {lifeKey, QJsonObject{{operatingSecondsKey, life.operatingSeconds},
+                                                           {memoryWritesKey, life.memoryWrites}}},
+                                     {inputPolarityKey,
+                                      memory.inputPolarity() == InputPolarity::Npn ? u"NPN"_s : u"PNP"_s},
                                      {u"common"_s, common},
                                      {u"banks"_s, bankArray}})
         .toJson();
 }
 
-tl::expected<SettingsMemory, QString> fromStateJson(const QByteArray& json, SensorModel model)
+tl::expected<SavedState, QString> fromStateJson(const QByteArray& json, SensorModel model)
 {
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(json, &error);
@@ -166,8 +229,9 @@ tl::expected<SettingsMemory, QString> fromStateJson(const QByteArray& json, Sens
     const QJsonObject root = document.object();
     if (const Loaded stamped = checkStamp(root, model); !stamped)
         return tl::unexpected(stamped.error());
-    if (const Loaded keys =
-            checkKeys(root, {}, {u"format"_s, u"version"_s, u"sensor"_s, u"common"_s, u"banks"_s});
+    if (const Loaded keys = checkKeys(
+            root, {},
+            {u"format"_s, u"version"_s, u"sensor"_s, lifeKey, inputPolarityKey, u"common"_s, u"banks"_s});
         !keys)
         return tl::unexpected(keys.error());
     if (!root.value("common"_L1).isObject())
@@ -176,20 +240,27 @@ tl::expected<SettingsMemory, QString> fromStateJson(const QByteArray& json, Sens
     if (banks.size() != SettingsMemory::bankCount)
         return problem(u"banks"_s, u"has to be a list of %1 banks"_s.arg(SettingsMemory::bankCount));
 
+    const auto life = lifeOf(root.value(lifeKey));
+    if (!life)
+        return tl::unexpected(life.error());
+    const auto polarity = polarityOf(root.value(inputPolarityKey));
+    if (!polarity)
+        return tl::unexpected(polarity.error());
     SettingsMemory memory(model);
+    memory.setInputPolarity(*polarity);
     Loaded loaded = loadValues(root.value("common"_L1).toObject(), u"common"_s, Scope::Common, 0, memory);
     for (int bank = 0; loaded && bank < SettingsMemory::bankCount; ++bank)
         loaded = loadBank(banks.at(bank), bank, memory);
     if (!loaded)
         return tl::unexpected(loaded.error());
-    return memory;
+    return SavedState{memory, *life};
 }
 
 StateFile::StateFile(QString path)
     : m_path(std::move(path))
 {}
 
-tl::expected<std::optional<SettingsMemory>, QString> StateFile::load(SensorModel model) const
+tl::expected<std::optional<SavedState>, QString> StateFile::load(SensorModel model) const
 {
     QFile file(m_path);
     if (!file.exists())
@@ -199,18 +270,18 @@ tl::expected<std::optional<SettingsMemory>, QString> StateFile::load(SensorModel
     const QByteArray json = file.read(largestFile + 1);
     if (json.size() > largestFile)
         return problem(m_path, u"is larger than %1 bytes and no state file"_s.arg(largestFile));
-    auto memory = fromStateJson(json, model);
-    if (!memory)
-        return problem(m_path, memory.error());
-    return std::optional(std::move(*memory));
+    auto state = fromStateJson(json, model);
+    if (!state)
+        return problem(m_path, state.error());
+    return std::optional(std::move(*state));
 }
 
-tl::expected<void, QString> StateFile::save(const SettingsMemory& memory) const
+tl::expected<void, QString> StateFile::save(const SettingsMemory& memory, const LifeCounters& life) const
 {
     QSaveFile file(m_path);
     if (!file.open(QIODevice::WriteOnly))
         return problem(m_path, file.errorString());
-    file.write(toStateJson(memory));
+    file.write(toStateJson(memory, life));
     if (!file.commit())
         return problem(m_path, file.errorString());
     return {};

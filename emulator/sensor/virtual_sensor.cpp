@@ -1,7 +1,11 @@
+// How a virtual sensor lives in time; what it answers, what writing does to it and its procedures stand in
+// virtual_sensor_state.cpp, virtual_sensor_writes.cpp and virtual_sensor_procedures.cpp.
 #include "virtual_sensor.h"
 
+#include "workpiece.h"
+
 #include <algorithm>
-#include <numeric>
+#include <array>
 
 namespace lds::emulator {
 
@@ -9,34 +13,14 @@ using namespace catalog;
 
 namespace {
 
-/// Samples made up for after a long time without being asked; four times the longest average.
-constexpr qint64 longestCatchUp = 4096;
-
-// Coils of §5.2.5 as bits of their register.
-enum StateBit : quint16 {
-    AlarmBit = 1 << 0,
-    IndeterminateBit = 1 << 1,
-    JudgmentHighBit = 1 << 2,
-    JudgmentGoBit = 1 << 3,
-    JudgmentLowBit = 1 << 4,
-    TimerOffHighBit = 1 << 5,
-    TimerOffGoBit = 1 << 6,
-    TimerOffLowBit = 1 << 7,
-    HoldBit = 1 << 8,
-    ZeroBit = 1 << 9,
-    LaserBit = 1 << 10,
-    ErrorBit = 1 << 11,
-    CautionBit = 1 << 12,
-    NotificationBit = 1 << 13,
-};
-enum NotificationDetail : quint16 {
-    ExcessiveLightBit = 1 << 0,
-    InsufficientLightBit = 1 << 1,
-    OutsideRangeBit = 1 << 2,
-    ExtraneousLightBit = 1 << 3,
-};
-/// Bits of registers 400011–400014 that mean something.
-constexpr std::array<quint16, 4> meaningfulBits{0x3fff, 0x000f, 0x0003, 0x0005};
+/// Samples made up for after a long time without being asked: ten seconds of the shortest cycle.
+constexpr qint64 longestCatchUp = 100'000;
+constexpr int tickMs = 50;
+constexpr qint64 secondNs = 1'000'000'000;
+/// Where a workpiece stands that is outside the measurement range, in halves of that range.
+constexpr Nanometres outOfRangeHalves = 3;
+constexpr quint16 beamEmittingCircuitError = 200; ///< §8.2
+constexpr quint16 cpuError = 120;
 
 /// What a choice's code stands for. A code that no message could have written counts as the nearest.
 template <typename T, std::size_t count>
@@ -45,9 +29,14 @@ T meaning(const std::array<T, count>& meanings, Value code)
     return meanings[std::size_t(std::clamp<Value>(code, 0, Value(count) - 1))];
 }
 
-quint16 flag(bool on, quint16 bit) { return on ? bit : 0; }
-
-const ModelDescription& description(SensorModel model) { return Catalog::hlG2().model(model); }
+std::optional<quint16> errorOf(SensorFault fault)
+{
+    if (fault == SensorFault::LaserCircuitError)
+        return beamEmittingCircuitError;
+    if (fault == SensorFault::SystemError)
+        return cpuError;
+    return std::nullopt;
+}
 
 } // namespace
 
@@ -56,18 +45,31 @@ VirtualSensor::VirtualSensor(const SettingsMemory& saved, EmulatorClock& clock, 
     , m_clock(clock)
     , m_memory(saved)
     , m_saved(saved)
-    , m_workpiece(description(saved.model()))
+    , m_gentleWorkpiece(std::make_shared<Workpiece>(Catalog::hlG2().model(saved.model())))
+    , m_scenery(m_gentleWorkpiece)
     , m_sampledNs(clock.nowNs())
+    , m_lifeFollowedNs(clock.nowNs())
 {
     activateCommunication();
     applySettings();
-    if (laserEmitting())
-        m_chain.settle(lookAt(m_sampledNs), false);
+    m_receiver.settle(sightAt(m_sampledNs), m_cycleNs);
+    if (isMeasuring())
+        m_chain.settle(lookAt(m_sampledNs), false, m_sampledNs);
+    startTick();
 }
 
 VirtualSensor::VirtualSensor(SensorModel model, EmulatorClock& clock, QObject* parent)
     : VirtualSensor(SettingsMemory(model), clock, parent)
 {}
+
+/// Samples are taken as they fall due though nobody asks: peaks are not missed, faults and tuning go on.
+void VirtualSensor::startTick()
+{
+    m_clock.after(tickMs, this, [this] {
+        catchUp();
+        startTick();
+    });
+}
 
 int VirtualSensor::silentForMs() const
 {
@@ -75,46 +77,85 @@ int VirtualSensor::silentForMs() const
     return left > 0 ? int((left + 999'999) / 1'000'000) : 0;
 }
 
+void VirtualSensor::beSilentForMs(int milliseconds)
+{
+    m_silentUntilNs = std::max(m_silentUntilNs, m_clock.nowNs() + milliseconds * 1'000'000LL);
+}
+
 void VirtualSensor::catchUp()
 {
-    const qint64 period = samplingNs();
-    const qint64 due = (m_clock.nowNs() - m_sampledNs) / period;
-    if (due > longestCatchUp)
-        m_sampledNs += (due - longestCatchUp) * period;
-    for (qint64 i = 0; i < std::min(due, longestCatchUp); ++i)
-        takeSample(m_sampledNs + period);
+    const qint64 now = m_clock.nowNs();
+    qint64 due = (now - m_sampledNs) / m_cycleNs;
+    if (due > longestCatchUp) {
+        m_sampledNs += (due - longestCatchUp) * m_cycleNs;
+        due = longestCatchUp;
+    }
+    for (; due > 0; --due)
+        takeSample(m_sampledNs + m_cycleNs);
+    m_triggerLine.at(now);
+    m_chain.advance(now);
+    followLife();
 }
 
 void VirtualSensor::takeSample(qint64 timeNs)
 {
     m_sampledNs = timeNs;
-    m_chain.sample(lookAt(timeNs), laserEmitting(), triggerOn());
+    m_triggerLine.at(timeNs);
+    m_chain.sample(lookAt(timeNs), isMeasuring(), triggerOn(), timeNs);
+    if (m_tuning.isAdjusting())
+        sampleTuning(timeNs);
 }
 
-Reflection VirtualSensor::lookAt(qint64 timeNs) const
+/// Between samples, after something has changed.
+void VirtualSensor::refresh()
 {
-    Reflection reflection = m_workpiece.at(timeNs);
-    if (m_placed)
-        reflection.distance = *m_placed;
-    reflection.light = m_light;
-    if (m_light == Light::Insufficient)
-        reflection.peakIntensity = 0;
-    else if (m_light != Light::Measurable)
-        reflection.peakIntensity = 1023;
+    applySettings();
+    m_chain.refresh(isMeasuring(), triggerOn(), m_clock.nowNs());
+}
+
+Sight VirtualSensor::sightAt(qint64 timeNs) const
+{
+    Sight sight = m_scenery->at(timeNs - m_sceneryBeganNs);
+    if (m_placed) {
+        sight.present = true;
+        sight.distance = *m_placed;
+    }
+    if (hasFault(SensorFault::OutOfRange)) {
+        const Value range = Catalog::hlG2().model(model()).measurementRange;
+        sight.present = true;
+        sight.distance = range * nanometresPerWireUnit * outOfRangeHalves / 2;
+    }
+    return sight;
+}
+
+Reflection VirtualSensor::lookAt(qint64 timeNs)
+{
+    Reflection reflection = m_receiver.receive(sightAt(timeNs), m_cycleNs);
+    Light spoiled = m_light;
+    if (!m_faults.isEmpty()) {
+        if (hasFault(SensorFault::NoLight))
+            spoiled = Light::Insufficient;
+        else if (hasFault(SensorFault::Saturated))
+            spoiled = Light::Excessive;
+        else if (hasFault(SensorFault::AmbientLight))
+            spoiled = Light::ExtraneousLight;
+    }
+    if (spoiled != Light::Measurable) {
+        reflection.light = spoiled;
+        reflection.peakIntensity = spoiled == Light::Insufficient ? 0 : LightReceiver::mostIntensity;
+    }
     return reflection;
 }
 
-bool VirtualSensor::laserEmitting() const { return m_memory.value(ItemId::LaserStop) == 0; }
-
-qint64 VirtualSensor::samplingNs() const
+bool VirtualSensor::laserEmitting() const
 {
-    static constexpr std::array<qint64, 5> cycles{100'000, 200'000, 500'000, 1'000'000, 2'000'000}; // §4.3.1
-    return meaning(cycles, m_memory.value(ItemId::SamplingFrequency));
+    return !m_laserStopped && !m_monitor.has(beamEmittingCircuitError);
 }
 
 void VirtualSensor::applySettings()
 {
-    static constexpr std::array<int, 7> averages{1, 4, 16, 64, 256, 512, 1024}; // §4.3.2
+    static constexpr std::array<qint64, 5> cycles{100'000, 200'000, 500'000, 1'000'000, 2'000'000}; // §4.3.1
+    static constexpr std::array<int, 7> averages{1, 4, 16, 64, 256, 512, 1024};                     // §4.3.2
     const auto length = [this](ItemId id) { return m_memory.value(id) * nanometresPerWireUnit; };
     ChainSettings settings;
     settings.averageTimes = meaning(averages, m_memory.value(ItemId::AverageTimes));
@@ -130,103 +171,102 @@ void VirtualSensor::applySettings()
     settings.triggerMode = TriggerMode(m_memory.value(ItemId::TriggerMode));
     settings.alarmDelayCount = m_memory.value(ItemId::AlarmDelayCount);
     settings.alarmShown = m_memory.value(ItemId::AlarmDigitalOutput) != 0;
+    settings.outputDelay = {OutputDelay(m_memory.value(ItemId::OutputDelayTimerSelection)),
+                            m_memory.value(ItemId::OutputDelayTimerSetting) * 1'000'000LL};
     m_chain.setSettings(settings);
+    m_cycleNs = meaning(cycles, m_memory.value(ItemId::SamplingFrequency));
+    m_laserStopped = m_memory.value(ItemId::LaserStop) != 0;
+    const bool isTuned = m_memory.value(ItemId::BrightnessTuning) != 0 && !m_tuning.isExecuting();
+    m_receiver.setRange(isTuned ? m_memory.tunedBrightness(m_memory.bank()) : std::nullopt);
 }
 
-Value VirtualSensor::measuredValue() const
+void VirtualSensor::restartMeasurement()
 {
-    if (m_chain.alarmShown())
-        return sentinel::alarm;
-    const auto value = m_chain.value();
-    if (!value)
-        return sentinel::indeterminate;
-    const Nanometres limit = Nanometres(description(model()).displayLimit) * nanometresPerWireUnit;
-    if (*value > limit)
-        return sentinel::over;
-    if (*value < -limit)
-        return sentinel::under;
-    return Value(*value / nanometresPerWireUnit); // §5.2.4: digits from 0.01 µm on are rounded down
+    applySettings();
+    m_chain.restart();
 }
 
-Value VirtualSensor::read(ItemId id) const
+/// §4.13: operating hours are counted while it lives, and kept each full hour.
+void VirtualSensor::followLife()
 {
-    const SettingItem& item = hlG2(id);
-    if (!item.isReadable())
-        return 0;
-    switch (id) {
-    case ItemId::SensorState:
-        return stateWord(0);
-    case ItemId::SelfMonitoringNotification:
-        return stateWord(1);
-    case ItemId::SelfMonitoringCaution:
-        return stateWord(2);
-    case ItemId::SelfMonitoringError:
-        return stateWord(3);
-    case ItemId::ErrorCode:
-        return m_errorCode;
-    case ItemId::MeasuredValue:
-        return measuredValue();
-    case ItemId::PeakIntensity:
-        return m_chain.value() ? m_chain.reflection().peakIntensity : sentinel::noIntensity;
-    case ItemId::TriggerInputExternal:
-        return m_externalTrigger;
-    case ItemId::TriggerInputCommunication:
-        return m_triggerByCommunication;
-    case ItemId::HoldState:
-        return m_chain.holding();
-    case ItemId::TeachingExecutionState:
-    case ItemId::BrightnessTuningExecutionState:
-        return 0; // not executed: this version cannot start them
-    default:
-        return m_memory.value(id);
+    const qint64 seconds = (m_clock.nowNs() - m_lifeFollowedNs) / secondNs;
+    if (seconds <= 0)
+        return;
+    constexpr qint64 hour = 3600;
+    const qint64 before = m_monitor.life.operatingSeconds;
+    m_lifeFollowedNs += seconds * secondNs;
+    m_monitor.life.operatingSeconds += seconds;
+    if (m_store && before / hour != m_monitor.life.operatingSeconds / hour) {
+        if (const auto stored = m_store(m_saved, m_monitor.life); !stored)
+            Q_EMIT storeFailed(stored.error());
     }
 }
 
-quint16 VirtualSensor::notification() const
+void VirtualSensor::activateCommunication()
 {
-    const Value range = description(model()).measurementRange;
-    const Nanometres raw = m_chain.reflection().distance;
-    const bool outside =
-        laserEmitting() && m_chain.measurable() && std::abs(raw) > range * nanometresPerWireUnit;
-    const bool alarm = m_chain.alarm();
-    return flag(alarm && m_light == Light::Excessive, ExcessiveLightBit) |
-           flag(alarm && m_light == Light::Insufficient, InsufficientLightBit) |
-           flag(alarm && m_light == Light::ExtraneousLight, ExtraneousLightBit) |
-           flag(outside, OutsideRangeBit);
+    for (const SettingItem& item : Catalog::hlG2().items()) {
+        if (item.effect == Effect::AfterCommunicationReset && SettingsMemory::holds(item))
+            m_active.insert(item.id, m_memory.value(item.id));
+    }
 }
 
-quint16 VirtualSensor::sensorState() const
+void VirtualSensor::powerCycle()
 {
-    const Judgment judgment = m_chain.judgment();
-    const bool indeterminate = !m_chain.value() && !m_chain.alarmShown();
-    const bool anything = notification() || m_cautionBits || m_errorBits;
-    return flag(m_chain.alarm(), AlarmBit) | flag(indeterminate, IndeterminateBit) |
-           flag(judgment == Judgment::High, JudgmentHighBit | TimerOffHighBit) |
-           flag(judgment == Judgment::Go, JudgmentGoBit | TimerOffGoBit) |
-           flag(judgment == Judgment::Low, JudgmentLowBit | TimerOffLowBit) |
-           flag(m_chain.holding(), HoldBit) | flag(m_memory.value(ItemId::ZeroSetting) != 0, ZeroBit) |
-           flag(laserEmitting(), LaserBit) | flag(m_errorBits != 0, ErrorBit) |
-           flag(m_errorBits == 0 && m_cautionBits != 0, CautionBit) | flag(anything, NotificationBit);
+    catchUp();
+    m_memory = m_saved;
+    m_inMenu = false;
+    m_triggerByCommunication = false;
+    m_silentUntilNs = 0;
+    m_teaching.interrupt();
+    m_tuning.interrupt();
+    m_monitor.clearByPowerCycle();
+    for (const SensorFault fault : std::as_const(m_faults)) { // what still goes wrong goes wrong again
+        if (const auto code = errorOf(fault))
+            m_monitor.raise({*code, 0});
+    }
+    activateCommunication();
+    restartMeasurement();
+    m_chain.reset();
+    m_sampledNs = m_clock.nowNs();
+    refresh();
+    Q_EMIT poweredOn();
 }
 
-quint16 VirtualSensor::stateWord(int index) const
+void VirtualSensor::setScenery(std::shared_ptr<const Scenery> scenery)
 {
-    const std::array<quint16, 4> words{sensorState(), notification(), m_cautionBits, m_errorBits};
-    const quint16 mask = meaningfulBits.at(std::size_t(index));
-    const quint16 word = words.at(std::size_t(index)) & mask;
-    return m_reservedOnes ? quint16(word | ~mask) : word;
+    catchUp();
+    m_scenery = scenery ? std::move(scenery) : m_gentleWorkpiece;
+    m_sceneryBeganNs = m_clock.nowNs();
+    m_placed.reset();
 }
 
-bool VirtualSensor::coil(int number) const
+void VirtualSensor::setFault(SensorFault fault, bool on)
 {
-    if (number < 1 || number > 64)
-        return false;
-    return (stateWord((number - 1) / 16) >> ((number - 1) % 16)) & 1;
+    catchUp();
+    if (on)
+        m_faults.insert(fault);
+    else
+        m_faults.remove(fault);
+    if (const auto code = errorOf(fault)) {
+        if (on)
+            m_monitor.raise({*code, 0});
+        else
+            m_monitor.clear(*code);
+        refresh();
+    }
 }
 
-int VirtualSensor::totalWriteCount() const
+void VirtualSensor::raiseError(ErrorState error)
 {
-    return std::accumulate(m_writeCounts.begin(), m_writeCounts.end(), 0);
+    catchUp();
+    m_monitor.raise(error);
+    refresh();
+}
+
+void VirtualSensor::setLife(const LifeCounters& life)
+{
+    catchUp();
+    m_monitor.life = life;
 }
 
 void VirtualSensor::setWriteFailure(ItemId id, bool fails)
@@ -241,8 +281,8 @@ void VirtualSensor::placeWorkpiece(Value rawValue)
 {
     catchUp();
     m_placed = rawValue * nanometresPerWireUnit;
-    if (laserEmitting() && m_light == Light::Measurable)
-        m_chain.settle(lookAt(m_sampledNs), triggerOn());
+    if (isMeasuring() && m_light == Light::Measurable)
+        m_chain.settle(lookAt(m_sampledNs), triggerOn(), m_clock.nowNs());
 }
 
 void VirtualSensor::letWorkpieceMove()
@@ -260,12 +300,7 @@ void VirtualSensor::setLight(Light light)
 void VirtualSensor::setExternalTrigger(bool on)
 {
     catchUp();
-    m_externalTrigger = on;
-    takeSample(m_clock.nowNs());
+    m_triggerLine.set(on, m_clock.nowNs());
 }
-
-void VirtualSensor::setCautionBits(quint16 bits) { m_cautionBits = bits & meaningfulBits[2]; }
-
-void VirtualSensor::setErrorBits(quint16 bits) { m_errorBits = bits & meaningfulBits[3]; }
 
 } // namespace lds::emulator

@@ -35,6 +35,17 @@ WriteOutcome VirtualSensor::write(const QList<ItemWrite>& writes)
     catchUp();
     if (!isReady())
         return {0, Refusal::NotReady, QStringLiteral("the sensor is in its menu")};
+    return carryOutAll(writes, Operator::Communication);
+}
+
+WriteOutcome VirtualSensor::writeByKeys(const QList<ItemWrite>& writes)
+{
+    catchUp();
+    return carryOutAll(writes, Operator::Keys);
+}
+
+WriteOutcome VirtualSensor::carryOutAll(const QList<ItemWrite>& writes, Operator by)
+{
     const auto judged = judgeWrites(m_memory, writes);
     if (!judged) {
         const QString key = QString::fromLatin1(hlG2(judged.error().item).key);
@@ -42,8 +53,9 @@ WriteOutcome VirtualSensor::write(const QList<ItemWrite>& writes)
     }
     WriteOutcome outcome;
     for (const ItemWrite& write : *judged) {
-        ++m_writeCounts[write.item];
-        if (m_failing.contains(write.item) || !carryOut(write)) {
+        if (by == Operator::Communication)
+            ++m_writeCounts[write.item];
+        if (m_failing.contains(write.item) || !carryOut(write, by)) {
             outcome.refusal = Refusal::Failed;
             outcome.reason = QString::fromLatin1(hlG2(write.item).key) + QStringLiteral(": writing failed");
             return outcome;
@@ -54,20 +66,26 @@ WriteOutcome VirtualSensor::write(const QList<ItemWrite>& writes)
     return outcome;
 }
 
-bool VirtualSensor::carryOut(const ItemWrite& write)
+bool VirtualSensor::carryOut(const ItemWrite& write, Operator by)
 {
-    const SettingItem& item = hlG2(write.item);
-    if (SettingsMemory::holds(item))
-        return carryOutStored(write);
-    return carryOutCommand(write);
+    if (!SettingsMemory::holds(hlG2(write.item)))
+        return carryOutCommand(write, by);
+    if (!carryOutStored(write, by))
+        return false;
+    const bool goesOn = write.item == ItemId::BrightnessTuning && m_tuning.isExecuting(); // saved at its end
+    return by == Operator::Communication || goesOn || saveItem(write.item);
 }
 
-bool VirtualSensor::carryOutStored(const ItemWrite& write)
+bool VirtualSensor::carryOutStored(const ItemWrite& write, Operator by)
 {
-    if (write.item == ItemId::BrightnessTuning && write.value != 0)
-        return false; // tuning is not in this version
+    if (write.item == ItemId::BrightnessTuning)
+        return writeBrightnessTuning(write.value != 0, by);
     if (write.item == ItemId::ZeroSetting)
         return setZero(write.value != 0);
+    if (write.item == ItemId::BankSwitching)
+        interruptProcedures(); // before the bank whose settings they work with is left
+    if (write.item == ItemId::TeachingMode && !m_teaching.isExecuting())
+        m_teaching.interrupt();
     const Value before = m_memory.value(write.item);
     const Value triggerBefore = m_memory.value(ItemId::TriggerMode);
     store(write.item, write.value, m_memory);
@@ -76,8 +94,18 @@ bool VirtualSensor::carryOutStored(const ItemWrite& write)
         m_triggerByCommunication = false; // §4.6.2
     if (triggerChanged || (restartsMeasurement(write.item) && before != write.value))
         restartMeasurement();
-    applySettings();
-    takeSample(m_clock.nowNs());
+    refresh();
+    return true;
+}
+
+/// ON starts the procedure, again too; OFF ends one that runs and makes the adjustment automatic (§4.3.3).
+bool VirtualSensor::writeBrightnessTuning(bool on, Operator by)
+{
+    if (on)
+        return !startTuning(by).refusal;
+    interruptTuning();
+    m_memory.setValue(ItemId::BrightnessTuning, 0);
+    refresh();
     return true;
 }
 
@@ -90,13 +118,13 @@ void VirtualSensor::store(ItemId id, Value value, SettingsMemory& memory) const
         memory.setValue(ItemId::TriggerMode, 0, bank);
 }
 
-bool VirtualSensor::carryOutCommand(const ItemWrite& write)
+bool VirtualSensor::carryOutCommand(const ItemWrite& write, Operator by)
 {
     switch (write.item) {
     case ItemId::SetValueSaving:
         return saveMemory(m_memory);
     case ItemId::MeasuredValueResetting:
-        m_chain.restart();
+        m_chain.reset();
         return true;
     case ItemId::BankCopy:
         return copyBank(write.value);
@@ -104,44 +132,55 @@ bool VirtualSensor::carryOutCommand(const ItemWrite& write)
         return initialize(write.value);
     case ItemId::TriggerInputCommunication:
         m_triggerByCommunication = write.value != 0;
-        takeSample(m_clock.nowNs());
+        refresh();
         return true;
     case ItemId::ResettingCommunicationSettings:
         activateCommunication();
         Q_EMIT communicationReset();
         return true;
     case ItemId::ExecutionOfTeaching:
-        return write.value ==
-               0; // interrupting what does not run is no error; starting is not in this version
+        return !(write.value != 0 ? startTeaching(by) : interruptTeaching()).refusal;
+    case ItemId::Teaching1stPoint:
+        return !takeTeachingPoint(1).refusal;
+    case ItemId::Teaching2ndPoint:
+        return !takeTeachingPoint(2).refusal;
+    case ItemId::Teaching3rdPoint:
+        return !takeTeachingPoint(3).refusal;
+    case ItemId::BrightnessTuning1stPoint:
+        return !takeTuningPoint(1).refusal;
+    case ItemId::BrightnessTuning2ndPoint:
+        return !takeTuningPoint(2).refusal;
     default:
-        return false; // points of teaching and tuning, neither of which can have been started
+        return false;
     }
 }
 
 bool VirtualSensor::setZero(bool on)
 {
     const int bank = m_memory.bank();
-    if (on && !(laserEmitting() && m_light == Light::Measurable))
-        return false; // §4.10: not while the light cannot be measured
+    if (on && !(isMeasuring() && m_chain.measurable()))
+        return false; // §4.10: not while the light cannot be measured, whatever is displayed
     m_memory.setValue(ItemId::ZeroSetting, on);
     // While indeterminate zero can be set, though the correction is anything (§4.10 note).
     m_memory.setZeroCorrection(bank, on ? m_chain.beforeZero().value_or(0) : 0);
-    applySettings();
-    takeSample(m_clock.nowNs());
+    refresh();
     return true;
 }
 
 bool VirtualSensor::saveMemory(const SettingsMemory& memory)
 {
+    LifeCounters life = m_monitor.life;
+    ++life.memoryWrites;
     if (m_store) {
-        if (const auto stored = m_store(memory); !stored) {
+        if (const auto stored = m_store(memory, life); !stored) {
             Q_EMIT storeFailed(stored.error());
             return false;
         }
     }
     m_saved = memory;
+    m_monitor.life = life;
     ++m_memoryWrites;
-    m_silentUntilNs = m_clock.nowNs() + m_savingMs * 1'000'000LL;
+    beSilentForMs(m_savingMs);
     Q_EMIT memoryWritten();
     return true;
 }
@@ -154,6 +193,7 @@ bool VirtualSensor::copyBank(Value combination)
     saved.copyBank(m_saved, copy.from, copy.to);
     if (!saveMemory(saved))
         return false;
+    interruptProcedures();
     m_memory.copyBank(m_saved, copy.to, copy.to);
     breakOff();
     return true;
@@ -173,6 +213,7 @@ bool VirtualSensor::initialize(Value what)
     reset(saved);
     if (!saveMemory(saved))
         return false;
+    interruptProcedures();
     reset(m_memory);
     breakOff();
     return true;
@@ -183,49 +224,44 @@ void VirtualSensor::breakOff()
 {
     m_triggerByCommunication = false;
     restartMeasurement();
-    applySettings();
-    takeSample(m_clock.nowNs());
+    refresh();
 }
 
-void VirtualSensor::restartMeasurement()
+bool VirtualSensor::saveItem(ItemId id)
 {
-    applySettings();
-    m_chain.restart();
-}
-
-void VirtualSensor::activateCommunication()
-{
-    for (const SettingItem& item : Catalog::hlG2().items()) {
-        if (item.effect == Effect::AfterCommunicationReset && SettingsMemory::holds(item))
-            m_active.insert(item.id, m_memory.value(item.id));
-    }
+    const int bank = m_memory.bank();
+    SettingsMemory saved = m_saved;
+    store(id, m_memory.value(id), saved);
+    if (id == ItemId::ZeroSetting)
+        saved.setZeroCorrection(bank, m_memory.zeroCorrection(bank));
+    if (id == ItemId::BrightnessTuning)
+        saved.setTunedBrightness(bank, m_memory.tunedBrightness(bank));
+    return saveMemory(saved);
 }
 
 void VirtualSensor::changeByKeypad(ItemId id, Value value)
 {
     catchUp();
-    const SettingItem& item = hlG2(id);
-    if (!carryOut({id, value}))
-        return;
-    if (SettingsMemory::holds(item)) {
-        SettingsMemory saved = m_saved;
-        store(id, value, saved);
-        if (id == ItemId::ZeroSetting)
-            saved.setZeroCorrection(m_memory.bank(), m_memory.zeroCorrection(m_memory.bank()));
-        saveMemory(saved);
-    }
-    Q_EMIT written(id, value);
+    if (carryOut({id, value}, Operator::Keys))
+        Q_EMIT written(id, value);
 }
 
-void VirtualSensor::powerCycle()
+void VirtualSensor::setInputPolarity(InputPolarity polarity)
 {
-    m_memory = m_saved;
-    m_inMenu = false;
-    m_triggerByCommunication = false;
-    m_silentUntilNs = 0;
-    activateCommunication();
-    restartMeasurement();
-    m_sampledNs = m_clock.nowNs();
+    m_memory.setInputPolarity(polarity);
+    SettingsMemory saved = m_saved;
+    saved.setInputPolarity(polarity);
+    saveMemory(saved);
+}
+
+void VirtualSensor::initializeSetValues()
+{
+    SettingsMemory saved = m_saved;
+    saved.initializeSetValues();
+    if (!saveMemory(saved))
+        return;
+    m_monitor.clear(131); // E131: what this helps against (§8.2)
+    powerCycle();
 }
 
 } // namespace lds::emulator

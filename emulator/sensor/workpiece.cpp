@@ -9,6 +9,7 @@ namespace {
 
 constexpr double shareOfRange = 0.6;    ///< Of the measurement range, so that it is never left.
 constexpr double shareOfNoise = 0.0002; ///< Of the measurement range.
+constexpr double shareOfGloss = 0.13;   ///< By which the reflectance changes as it moves.
 constexpr double slowPeriodSeconds = 9.0;
 constexpr double quickPeriodSeconds = 1.7;
 constexpr double quickShare = 0.15;     ///< Of the amplitude; the slow movement has the rest.
@@ -31,7 +32,7 @@ Workpiece::Workpiece(const catalog::ModelDescription& model, quint64 seed)
     , m_seed(seed)
 {}
 
-Reflection Workpiece::at(qint64 timeNs) const
+Sight Workpiece::at(qint64 timeNs) const
 {
     const double angle = 2 * std::numbers::pi * double(timeNs) * 1e-9;
     const double slow = std::sin(angle / slowPeriodSeconds);
@@ -39,7 +40,7 @@ Reflection Workpiece::at(qint64 timeNs) const
     const quint64 random = mixed(m_seed ^ mixed(quint64(timeNs / noiseStepNs)));
     const double noise = m_noise * (double(random >> 11) * 0x1p-52 - 1.0);
     const double distance = m_amplitude * ((1 - quickShare) * slow + quickShare * quick) + noise;
-    return {std::llround(distance), quint16(600 + std::lround(80 * slow)), Light::Measurable};
+    return {true, std::llround(distance), 1 + shareOfGloss * slow, 0};
 }
 
 } // namespace lds::emulator

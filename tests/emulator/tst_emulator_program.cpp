@@ -261,7 +261,7 @@ void EmulatorProgramTest::aWrongStateFileIsNeverOverwritten()
 {
     const QTemporaryDir folder;
     const QString state = folder.filePath(u"state.json"_s);
-    writeFile(state, R"({"format": "lds-emulator-state", "version": 1, "sensor": "HL-G205B-S-MK"})");
+    writeFile(state, R"({"format": "lds-emulator-state", "version": 2, "sensor": "HL-G205B-S-MK"})");
     QProcess process;
     process.start(program(),
                   {u"--sensor"_s, u"HL-G203B-S-MK"_s, u"--modbus-port"_s, u"0"_s, u"--state"_s, state});

@@ -197,20 +197,21 @@ void SensorStateTest::eachKindOfBadLightHasItsCoil()
 
 void SensorStateTest::selfMonitoringSummariesFollowTheDetails()
 {
-    m_sensor->setCautionBits(0xffff);
+    m_sensor->setLife({0, SelfMonitoring::mostMemoryWrites + 1});
     QVERIFY(m_sensor->coil(WritesExceeded) && m_sensor->coil(Caution) && m_sensor->coil(Notification));
     QVERIFY(!m_sensor->coil(Error));
-    QCOMPARE(m_sensor->stateWord(2), quint16(0x0003)); // the rest is reserved
-    m_sensor->setErrorBits(0x0001);
+    QCOMPARE(m_sensor->stateWord(2), quint16(0x0002));
+    m_sensor->setFault(SensorFault::LaserCircuitError, true);
     QVERIFY(m_sensor->coil(BeamError) && m_sensor->coil(Error) && m_sensor->coil(Notification));
     QVERIFY(!m_sensor->coil(Caution)); // only while there is no error
-    m_sensor->setErrorBits(0xffff);
+    QCOMPARE(m_sensor->read(ItemId::ErrorCode), 0x0200);
+    m_sensor->setFault(SensorFault::SystemError, true);
     QVERIFY(m_sensor->coil(SystemError));
     QCOMPARE(m_sensor->stateWord(3), quint16(0x0005));
-    m_sensor->setErrorCode(0x0200);
-    QCOMPARE(m_sensor->read(ItemId::ErrorCode), 0x0200);
-    m_sensor->setErrorBits(0);
-    m_sensor->setCautionBits(0);
+    m_sensor->setFault(SensorFault::LaserCircuitError, false);
+    m_sensor->setFault(SensorFault::SystemError, false);
+    QVERIFY(m_sensor->coil(Caution));
+    m_sensor->setLife({});
     QVERIFY(!m_sensor->coil(Notification));
 }
 

@@ -21,13 +21,17 @@ SettingsMemory changedMemory()
     memory.setValue(ItemId::Offset, -1'230, 2);
     memory.setValue(ItemId::LanguageSetting, 1);
     memory.setZeroCorrection(2, -123'456);
+    memory.setTunedBrightness(1, BrightnessRange{3'000, 90'000});
+    memory.setInputPolarity(InputPolarity::Pnp);
     return memory;
 }
+
+const LifeCounters someLife{7'200, 15};
 
 /// The JSON of changedMemory() with something done to it.
 QByteArray spoiled(const std::function<void(QJsonObject&)>& spoil)
 {
-    QJsonObject root = QJsonDocument::fromJson(toStateJson(changedMemory())).object();
+    QJsonObject root = QJsonDocument::fromJson(toStateJson(changedMemory(), someLife)).object();
     spoil(root);
     return QJsonDocument(root).toJson();
 }
@@ -72,12 +76,13 @@ void StateFileTest::whatIsSavedIsLoadedAgain()
     const QTemporaryDir folder;
     const StateFile file(folder.filePath(u"state.json"_s));
     const SettingsMemory memory = changedMemory();
-    QVERIFY(file.save(memory).has_value());
+    QVERIFY(file.save(memory, someLife).has_value());
     const auto loaded = file.load(SensorModel::HlG205);
     QVERIFY2(loaded.has_value(), loaded ? "" : qPrintable(loaded.error()));
     QVERIFY(loaded->has_value());
-    QVERIFY(**loaded == memory);
-    QVERIFY(**loaded != SettingsMemory(SensorModel::HlG205));
+    QVERIFY((*loaded)->settings == memory);
+    QVERIFY((*loaded)->life == someLife);
+    QVERIFY((*loaded)->settings != SettingsMemory(SensorModel::HlG205));
 }
 
 void StateFileTest::aMissingFileIsNoState()
@@ -101,7 +106,7 @@ void StateFileTest::wrongFilesAreRefusedNamingTheField_data()
         QTest::newRow(name) << spoiled(spoil) << names;
     };
     row("another program", u"format"_s, [](QJsonObject& root) { root.insert("format"_L1, "x"_L1); });
-    row("a later version", u"version"_s, [](QJsonObject& root) { root.insert("version"_L1, 2); });
+    row("a later version", u"version"_s, [](QJsonObject& root) { root.insert("version"_L1, 3); });
     row("another model", u"HL-G203B-S-MK"_s,
         [](QJsonObject& root) { root.insert("sensor"_L1, "HL-G203B-S-MK"_L1); });
     row("unknown field", u"colour: is not a field"_s, [](QJsonObject& root) { root.insert("colour"_L1, 1); });
@@ -139,6 +144,23 @@ void StateFileTest::wrongFilesAreRefusedNamingTheField_data()
         [](QJsonObject& root) { setCommon(root, key(ItemId::IpAddress4thOctet), 255); });
     row("no zero correction", u"banks[0].zeroCorrectionNm: is missing"_s,
         [](QJsonObject& root) { setInBank(root, 0, u"zeroCorrectionNm"_s, QJsonValue::Undefined); });
+    row("a brightness that is no range", u"banks[0].tunedBrightness: has to be null or"_s,
+        [](QJsonObject& root) { setInBank(root, 0, u"tunedBrightness"_s, 5); });
+    row("a brightness upside down", u"banks[0].tunedBrightness[1]: 4 is outside 5"_s, [](QJsonObject& root) {
+        setInBank(root, 0, u"tunedBrightness"_s, QJsonArray{5, 4});
+    });
+    row("a brightness above all", u"banks[0].tunedBrightness[1]"_s, [](QJsonObject& root) {
+        setInBank(root, 0, u"tunedBrightness"_s, QJsonArray{5, 1'000'001});
+    });
+    row("no life", u"life: is missing"_s, [](QJsonObject& root) { root.remove("life"_L1); });
+    row("half a life", u"life.memoryWrites: is missing"_s, [](QJsonObject& root) {
+        root.insert("life"_L1, QJsonObject{{u"operatingSeconds"_s, 1}});
+    });
+    row("negative hours", u"life.operatingSeconds"_s, [](QJsonObject& root) {
+        root.insert("life"_L1, QJsonObject{{u"operatingSeconds"_s, -1}, {u"memoryWrites"_s, 1}});
+    });
+    row("no such polarity", u"inputPolarity: has to be"_s,
+        [](QJsonObject& root) { root.insert("inputPolarity"_L1, "npn"_L1); });
     row("a bank that is none", u"banks[1]: has to be an object"_s, [](QJsonObject& root) {
         QJsonArray banks = root.value("banks"_L1).toArray();
         banks.replace(1, 5);
@@ -164,7 +186,7 @@ void StateFileTest::wrongFilesAreRefusedNamingTheField()
 
 void StateFileTest::everyTruncationOfAFileIsRefused()
 {
-    const QByteArray json = toStateJson(changedMemory()).trimmed();
+    const QByteArray json = toStateJson(changedMemory(), someLife).trimmed();
     QVERIFY(fromStateJson(json, SensorModel::HlG205).has_value());
     for (qsizetype length = 0; length < json.size(); length += 7)
         QVERIFY(!fromStateJson(json.left(length), SensorModel::HlG205).has_value());

@@ -38,7 +38,6 @@ private Q_SLOTS:
     void oneIllegalValueWritesNothing();
     void aFailingItemLeavesWhatWasWrittenBeforeIt();
     void writesAreCounted();
-    void teachingAndTuningCannotBeStartedYet();
     void changesAtTheKeypadAreSavedAndJudgedByNobody();
 };
 
@@ -96,7 +95,8 @@ void VirtualSensorTest::triggerByCommunicationHolds()
     QCOMPARE(value(), 20);
     QVERIFY(!m_sensor->coil(Hold));
     m_sensor->setExternalTrigger(true);
-    QCOMPARE(m_sensor->read(ItemId::TriggerInputExternal), 1);
+    m_clock->advanceMs(2);
+    QCOMPARE(readNow(ItemId::TriggerInputExternal), 1);
     QVERIFY(m_sensor->coil(Hold));
 }
 
@@ -192,10 +192,11 @@ void VirtualSensorTest::unsavedValuesAreGoneAfterAPowerCycle()
 void VirtualSensorTest::savedValuesSurviveAPowerCycle()
 {
     SettingsMemory stored(SensorModel::HlG203);
-    m_sensor->setStore([&stored](const SettingsMemory& memory) -> tl::expected<void, QString> {
-        stored = memory;
-        return {};
-    });
+    m_sensor->setStore(
+        [&stored](const SettingsMemory& memory, const LifeCounters&) -> tl::expected<void, QString> {
+            stored = memory;
+            return {};
+        });
     m_sensor->placeWorkpiece(400);
     QVERIFY(write(ItemId::ZeroSetting, 1));
     QVERIFY(write(ItemId::BankSwitching, 2));
@@ -216,7 +217,7 @@ void VirtualSensorTest::savedValuesSurviveAPowerCycle()
 
 void VirtualSensorTest::aStoreThatFailsMakesSavingFail()
 {
-    m_sensor->setStore([](const SettingsMemory&) -> tl::expected<void, QString> {
+    m_sensor->setStore([](const SettingsMemory&, const LifeCounters&) -> tl::expected<void, QString> {
         return tl::unexpected(QStringLiteral("disk full"));
     });
     const QSignalSpy failures(m_sensor.get(), &VirtualSensor::storeFailed);
@@ -371,20 +372,6 @@ void VirtualSensorTest::writesAreCounted()
     QCOMPARE(m_sensor->writeCount(ItemId::SetValueSaving), 1);
     QCOMPARE(m_sensor->writeCount(ItemId::Offset), 0);
     QCOMPARE(m_sensor->totalWriteCount(), 3);
-}
-
-void VirtualSensorTest::teachingAndTuningCannotBeStartedYet()
-{
-    for (const ItemWrite& start : QList<ItemWrite>{{ItemId::ExecutionOfTeaching, 1},
-                                                   {ItemId::Teaching1stPoint, 0},
-                                                   {ItemId::BrightnessTuning, 1},
-                                                   {ItemId::BrightnessTuning1stPoint, 0}})
-        QCOMPARE(m_sensor->write({start}).refusal, Refusal::Failed);
-    QVERIFY(write(ItemId::ExecutionOfTeaching, 0));
-    QVERIFY(write(ItemId::BrightnessTuning, 0));
-    QCOMPARE(readNow(ItemId::TeachingExecutionState), 0);
-    QCOMPARE(readNow(ItemId::BrightnessTuningExecutionState), 0);
-    QCOMPARE(readNow(ItemId::BrightnessTuning), 0);
 }
 
 void VirtualSensorTest::changesAtTheKeypadAreSavedAndJudgedByNobody()
