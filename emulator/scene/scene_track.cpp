@@ -9,7 +9,8 @@ namespace {
 
 constexpr double nanosecondsPerSecond = 1e9;
 constexpr qint64 nanosecondsPerMillisecond = 1'000'000;
-constexpr qint64 anyDuration = 1; ///< Of a stretch whose values stay the same.
+constexpr double quarterTurn = 0.25; ///< The eccentric side is on top at 0°: a cosine.
+constexpr qint64 anyDuration = 1;    ///< Of a stretch whose values stay the same.
 
 Facet flat(double height, double reflectance) { return {0, 0, height, height, reflectance, reflectance}; }
 
@@ -81,7 +82,7 @@ Track trackOf(const SceneDescription& scene, const ShaftMotion& motion)
     around.add(scene.workpieces[motion.workpiece]);
     Track track = around.track();
     const qint64 periodNs = std::llround(nanosecondsPerSecond / motion.revolutionsPerSecond);
-    track.setSwing(motion.eccentricity, periodNs, std::numbers::pi / 2);
+    track.setSwing(motion.eccentricity, periodNs, quarterTurn);
     return track;
 }
 

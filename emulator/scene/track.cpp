@@ -1,8 +1,8 @@
 #include "track.h"
 
+#include "sine.h"
+
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace lds::emulator {
 
@@ -20,11 +20,11 @@ void Track::add(qint64 fromNs, qint64 toNs, const std::optional<Facet>& facet)
                            true});
 }
 
-void Track::setSwing(double amplitude, qint64 periodNs, double phase)
+void Track::setSwing(double amplitude, qint64 periodNs, double phaseInTurns)
 {
     m_swingAmplitude = amplitude;
     m_swingPeriodNs = std::max<qint64>(1, periodNs);
-    m_swingPhase = phase;
+    m_swingPhase = phaseInTurns;
 }
 
 Meeting Track::at(qint64 timeNs) const
@@ -41,7 +41,7 @@ Meeting Track::at(qint64 timeNs) const
     double height = stretch.height + stretch.heightPerNs * since;
     if (m_swingAmplitude != 0) {
         const double turn = double(timeNs % m_swingPeriodNs) / double(m_swingPeriodNs);
-        height += m_swingAmplitude * std::sin(2 * std::numbers::pi * turn + m_swingPhase);
+        height += m_swingAmplitude * sineOfTurns(turn + m_swingPhase);
     }
     // Rounding must not make a falling line end below nothing.
     return {true, height, std::max(0.0, stretch.reflectance + stretch.reflectancePerNs * since)};

@@ -23,8 +23,9 @@ public:
     void add(qint64 fromNs, qint64 toNs, const std::optional<Facet>& facet);
     /// The whole begins again after this time; 0: the last stretch goes on for ever.
     void setPeriod(qint64 periodNs) { m_periodNs = periodNs; }
-    /// Up and down around the stretches by amplitude * sin(2π time / period + phase); nm, ns, radians.
-    void setSwing(double amplitude, qint64 periodNs, double phase);
+    /// Up and down around the stretches by amplitude * sin(2π (time / period + phase)); nm, ns,
+    /// and a phase of 0 to below 1.
+    void setSwing(double amplitude, qint64 periodNs, double phaseInTurns);
 
     std::size_t size() const { return m_stretches.size(); }
     Meeting at(qint64 timeNs) const; ///< timeNs >= 0
