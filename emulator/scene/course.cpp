@@ -50,9 +50,7 @@ Course Course::closedAt(double circumference) const
     if (first.position <= 0 && last.position >= circumference)
         return *this;
     // Where the line from the last point to the first one of the next turn crosses the seam.
-    const Point firstAgain{first.position + circumference, first.value};
-    const double seam =
-        firstAgain.position > last.position ? between(last, firstAgain, circumference) : first.value;
+    const double seam = between(last, {first.position + circumference, first.value}, circumference);
     std::vector<Point> closed;
     closed.reserve(m_points.size() + 2);
     if (first.position > 0)

@@ -9,13 +9,18 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-QString numberText(double number) { return QString::number(number, 'g', 15); }
+QString numberText(double number) { return QString::number(number, 'g', 16); }
 
-/// What a file wrote, short enough for an error message.
-QString shortened(const QString& text)
+/// At most 40 characters, and nothing that a terminal would take for a command.
+QString printable(const QString& text)
 {
     constexpr qsizetype longest = 40;
-    return text.size() <= longest ? text : text.left(longest) + u'…';
+    QString shown = text.left(longest);
+    for (QChar& character : shown) {
+        if (!character.isPrint() && !character.isSurrogate())
+            character = u'?';
+    }
+    return text.size() > longest ? shown + u'…' : shown;
 }
 
 } // namespace
@@ -25,6 +30,8 @@ void Complaint::add(const QString& where, const QString& what)
     if (m_text.isEmpty())
         m_text = where.isEmpty() ? what : u"%1: %2"_s.arg(where, what);
 }
+
+QString quoted(const QString& text) { return u"\"%1\""_s.arg(printable(text)); }
 
 QString elementPath(const QString& listPath, qsizetype index) { return u"%1[%2]"_s.arg(listPath).arg(index); }
 
@@ -133,7 +140,7 @@ void JsonFields::rejectOthers()
         QStringList known;
         for (const QLatin1StringView asked : std::as_const(m_asked))
             known.append(asked);
-        const QString where = m_path.isEmpty() ? shortened(key) : u"%1.%2"_s.arg(m_path, shortened(key));
+        const QString where = m_path.isEmpty() ? printable(key) : u"%1.%2"_s.arg(m_path, printable(key));
         m_complaint.add(where, u"is no field here; these are: %1"_s.arg(known.join(u", "_s)));
     }
 }

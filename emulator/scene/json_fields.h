@@ -27,6 +27,8 @@ struct NumberLimits {
     const char* unit = ""; ///< As it stands behind a number: " mm".
 };
 
+/// What a file wrote, in quotation marks and fit for a line of text: short, and nothing but print.
+QString quoted(const QString& text);
 /// "workpieces[2]"
 QString elementPath(const QString& listPath, qsizetype index);
 /// A number inside its limits; `least` and a complaint otherwise.

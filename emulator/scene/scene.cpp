@@ -120,7 +120,10 @@ tl::expected<std::shared_ptr<const Scene>, QString> Scene::load(const QString& p
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return tl::unexpected(u"%1: %2"_s.arg(pathOrExample, file.errorString()));
-    auto scene = fromJson(file.read(largestSceneFile + 1), model);
+    const QByteArray json = file.read(largestSceneFile + 1);
+    if (file.error() != QFileDevice::NoError)
+        return tl::unexpected(u"%1: %2"_s.arg(pathOrExample, file.errorString()));
+    auto scene = fromJson(json, model);
     if (!scene)
         return tl::unexpected(u"%1: %2"_s.arg(pathOrExample, scene.error()));
     return scene;

@@ -17,7 +17,7 @@ namespace lds::emulator {
 struct ScheduledFault {
     NamedFault fault;
     Interval when;
-    int milliseconds = 0; ///< Of slowAnswers and saving.
+    int milliseconds = 0; ///< Of slowAnswers and saving; saving is on for just as long.
 };
 
 /// What a virtual sensor looks at, from a small JSON file (docs/scenes.md). Immutable.

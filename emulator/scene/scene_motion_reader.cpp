@@ -46,7 +46,7 @@ private:
             return timeline();
         if (kind == "still"_L1)
             return StillMotion{workpiece()};
-        m_fields.complain("kind"_L1, u"\"%1\" is no motion; it has to be %2"_s.arg(kind, motionKinds));
+        m_fields.complain("kind"_L1, u"%1 is no motion; it has to be %2"_s.arg(quoted(kind), motionKinds));
         return StillMotion{0};
     }
 
@@ -84,10 +84,9 @@ private:
                 m_complaint.add(elementPath(u"workpieces"_s, qsizetype(*each)) + u".length"_s,
                                 u"is missing: on a conveyor a workpiece has a length, or a profile"_s);
             } else if (motion.pitch && found.length > *motion.pitch) {
-                m_complaint.add(
-                    path, u"\"%1\" is %2 mm long, which is more than the pitch of %3 mm"_s.arg(found.name)
-                              .arg(found.length)
-                              .arg(*motion.pitch));
+                m_complaint.add(path, u"%1 is %2 mm long, which is more than the pitch of %3 mm"_s.arg(
+                                          quoted(found.name), QString::number(found.length),
+                                          QString::number(*motion.pitch)));
             }
             stretches += found.height.points().size() + found.reflectance.points().size();
         }
@@ -175,13 +174,21 @@ private:
                 return i;
         }
         if (m_complaint.isEmpty()) {
-            QStringList known;
-            for (const WorkpieceDescription& each : m_workpieces)
-                known.append(u"\"%1\""_s.arg(each.name));
-            m_complaint.add(path, u"\"%1\" is none of the workpieces; these are: %2"_s.arg(
-                                      name.left(longestWorkpieceName), known.join(u", "_s)));
+            m_complaint.add(path,
+                            u"%1 is none of the workpieces; these are: %2"_s.arg(quoted(name), known()));
         }
         return std::nullopt;
+    }
+
+    QString known() const
+    {
+        constexpr std::size_t mostShown = 10;
+        QStringList names;
+        for (std::size_t i = 0; i < m_workpieces.size() && i < mostShown; ++i)
+            names.append(quoted(m_workpieces[i].name));
+        if (m_workpieces.size() > mostShown)
+            names.append(u"…"_s);
+        return names.join(u", "_s);
     }
 
     JsonFields m_fields;
@@ -213,6 +220,18 @@ Interval readInterval(JsonFields& fields)
     if (interval.everyMs > 0 && interval.everyMs <= interval.forMs)
         fields.complain("everyMs"_L1,
                         u"%1 has to be more than forMs, %2"_s.arg(interval.everyMs).arg(interval.forMs));
+    return interval;
+}
+
+Interval readInterval(JsonFields& fields, qint64 durationMs)
+{
+    const Interval interval{fields.wholeNumber("atMs"_L1, timeLimits, std::nullopt), durationMs,
+                            fields.wholeNumber("everyMs"_L1, timeLimits, 0)};
+    if (fields.has("forMs"_L1))
+        fields.complain("forMs"_L1, u"does not apply to what lasts its milliseconds"_s);
+    if (interval.everyMs > 0 && interval.everyMs <= durationMs)
+        fields.complain("everyMs"_L1,
+                        u"%1 has to be more than milliseconds, %2"_s.arg(interval.everyMs).arg(durationMs));
     return interval;
 }
 

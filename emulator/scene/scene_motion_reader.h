@@ -26,5 +26,7 @@ Motion readMotion(const QJsonValue& value, const std::vector<WorkpieceDescriptio
 
 /// atMs, forMs and everyMs of an element.
 Interval readInterval(JsonFields& fields);
+/// The same of something that has a duration of its own: atMs and everyMs only.
+Interval readInterval(JsonFields& fields, qint64 durationMs);
 
 } // namespace lds::emulator

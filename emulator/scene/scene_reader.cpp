@@ -107,7 +107,8 @@ private:
                 u"must not begin or end with a space, nor hold a character that cannot be printed"_s);
         for (std::size_t i = 0; i + 1 < workpieces.size(); ++i) {
             if (workpieces[i].name == name)
-                m_complaint.add(path + u".name"_s, u"workpieces[%1] is called \"%2\" too"_s.arg(i).arg(name));
+                m_complaint.add(path + u".name"_s,
+                                u"workpieces[%1] is called %2 too"_s.arg(i).arg(quoted(name)));
         }
     }
 
@@ -239,7 +240,7 @@ private:
             for (const NamedFault each : allFaults())
                 known.append(keyOf(each));
             fields.complain("fault"_L1,
-                            u"\"%1\" is no fault; these are: %2"_s.arg(name, known.join(u", "_s)));
+                            u"%1 is no fault; these are: %2"_s.arg(quoted(name), known.join(u", "_s)));
             return {NamedFault::NoLight, {}, 0};
         }
         ScheduledFault scheduled{*fault, {}, 0};
@@ -247,7 +248,8 @@ private:
             scheduled.milliseconds = int(fields.wholeNumber("milliseconds"_L1, millisecondLimits, *standard));
         else if (fields.has("milliseconds"_L1))
             fields.complain("milliseconds"_L1, u"does not apply to %1"_s.arg(name));
-        scheduled.when = readInterval(fields);
+        scheduled.when = *fault == NamedFault::Saving ? readInterval(fields, scheduled.milliseconds)
+                                                      : readInterval(fields);
         return scheduled;
     }
 
