@@ -16,8 +16,8 @@ using emulator::StationOptions;
 namespace {
 
 constexpr qint64 largestFile = 1024 * 1024;
-const QStringList knownKeys{u"sensor"_s, u"bind"_s, u"modbusPort"_s, u"toolPort"_s, u"state"_s};
-const QStringList laterKeys{u"slmpPort"_s, u"eipPort"_s, u"eipIoPort"_s, u"rtu"_s, u"unit"_s, u"scene"_s};
+const QStringList knownKeys{u"sensor"_s, u"bind"_s, u"modbusPort"_s, u"toolPort"_s, u"state"_s, u"scene"_s};
+const QStringList laterKeys{u"slmpPort"_s, u"eipPort"_s, u"eipIoPort"_s, u"rtu"_s, u"unit"_s};
 
 tl::expected<std::optional<quint16>, QString> portOf(const QJsonValue& value, const QString& field)
 {
@@ -54,6 +54,14 @@ tl::expected<void, QString> checkKeys(const QJsonObject& object, const QString& 
     return {};
 }
 
+/// An example's key stays what it is; a file is looked for beside the configuration file.
+QString sceneOf(const QString& text, const QDir& folder)
+{
+    if (text.isEmpty() || emulator::Scene::examples().contains(text))
+        return text;
+    return QDir::cleanPath(folder.absoluteFilePath(text));
+}
+
 tl::expected<StationOptions, QString> stationOf(const QJsonValue& value, const QString& where,
                                                 const QDir& folder)
 {
@@ -86,7 +94,10 @@ tl::expected<StationOptions, QString> stationOf(const QJsonValue& value, const Q
     if (!state)
         return tl::unexpected(state.error());
     const QString stateFile = state->isEmpty() ? QString() : QDir::cleanPath(folder.absoluteFilePath(*state));
-    return StationOptions{*model, *address, *modbusPort, *toolPort, stateFile};
+    const auto scene = textOf(object, u"scene"_s, where, {});
+    if (!scene)
+        return tl::unexpected(scene.error());
+    return StationOptions{*model, *address, *modbusPort, *toolPort, stateFile, sceneOf(*scene, folder)};
 }
 
 tl::expected<QList<StationOptions>, QString> stationsOf(const QByteArray& json, const QDir& folder)

@@ -1,5 +1,7 @@
 #include "emulator_options.h"
 
+#include "control_input.h"
+
 #include <QCommandLineParser>
 
 namespace lds::app {
@@ -10,9 +12,8 @@ using emulator::StationOptions;
 namespace {
 
 /// Options of the contract that this version knows and cannot do yet.
-const QStringList laterOptions{u"slmp-port"_s, u"eip-port"_s, u"eip-io-port"_s,
-                               u"rtu"_s,       u"unit"_s,     u"scene"_s};
-const QStringList sensorOptions{u"bind"_s, u"modbus-port"_s, u"tool-port"_s, u"state"_s};
+const QStringList laterOptions{u"slmp-port"_s, u"eip-port"_s, u"eip-io-port"_s, u"rtu"_s, u"unit"_s};
+const QStringList sensorOptions{u"bind"_s, u"modbus-port"_s, u"tool-port"_s, u"state"_s, u"scene"_s};
 
 void declareOptions(QCommandLineParser& parser)
 {
@@ -24,10 +25,17 @@ void declareOptions(QCommandLineParser& parser)
         {u"tool-port"_s, u"Port for configuration tools, Modbus TCP as well; 0 picks a free one."_s,
          u"PORT"_s},
         {u"state"_s, u"File that keeps the saved settings; made at the first saving."_s, u"FILE"_s},
+        {u"scene"_s,
+         u"What the sensor looks at: a scene file, or an example of --list-scenes. Without it a workpiece "
+         "moves gently."_s,
+         u"SCENE"_s},
         {u"config"_s,
          u"JSON file with several sensors: {\"sensors\": [{\"sensor\", \"bind\", \"modbusPort\", "
-         "\"toolPort\", \"state\"}, ...]}."_s,
+         "\"toolPort\", \"state\", \"scene\"}, ...]}."_s,
          u"FILE"_s},
+        {u"control"_s, u"Take control lines from standard input; type help and Enter."_s},
+        {u"control-socket"_s, u"Take control lines from a local socket."_s, u"NAME"_s},
+        {u"list-scenes"_s, u"Print the example scenes and leave."_s},
     });
     for (const QString& name : laterOptions) {
         QCommandLineOption option(name, u"Not in this version."_s, u"VALUE"_s);
@@ -71,7 +79,48 @@ tl::expected<StationOptions, QString> stationOf(const QCommandLineParser& parser
         return tl::unexpected(u"nothing to serve: give --modbus-port or --tool-port, 0 for any free port"_s);
     if (parser.isSet(u"state"_s) && parser.value(u"state"_s).isEmpty())
         return tl::unexpected(u"--state: the file name is empty"_s);
-    return StationOptions{*model, *address, *modbusPort, *toolPort, parser.value(u"state"_s)};
+    if (parser.isSet(u"scene"_s) && parser.value(u"scene"_s).isEmpty())
+        return tl::unexpected(u"--scene: the name is empty"_s);
+    return StationOptions{
+        *model, *address, *modbusPort, *toolPort, parser.value(u"state"_s), parser.value(u"scene"_s)};
+}
+
+QString sceneList()
+{
+    QString list;
+    for (const QString& key : emulator::Scene::examples()) {
+        const auto scene = emulator::Scene::load(key, catalog::SensorModel::HlG203);
+        list += u"%1  %2\n"_s.arg(key.leftJustified(20), scene ? (*scene)->name() : scene.error());
+    }
+    return list;
+}
+
+/// What leaves the program at once; empty when nothing does.
+QString informationFor(const QCommandLineParser& parser)
+{
+    if (parser.isSet(u"help"_s) || parser.isSet(u"help-all"_s))
+        return parser.helpText();
+    if (parser.isSet(u"version"_s))
+        return u"lds-emulator %1\n"_s.arg(QStringLiteral(LDS_VERSION));
+    return parser.isSet(u"list-scenes"_s) ? sceneList() : QString();
+}
+
+tl::expected<QList<StationOptions>, QString> stationsOf(const QCommandLineParser& parser)
+{
+    if (parser.isSet(u"config"_s) == parser.isSet(u"sensor"_s))
+        return tl::unexpected(u"give either --sensor TYPE or --config FILE; see --help"_s);
+    if (!parser.isSet(u"config"_s)) {
+        const auto station = stationOf(parser);
+        if (!station)
+            return tl::unexpected(station.error());
+        return QList{*station};
+    }
+    for (const QString& name : sensorOptions) {
+        if (parser.isSet(name))
+            return tl::unexpected(
+                u"--%1 belongs to --sensor; with --config it stands in the file"_s.arg(name));
+    }
+    return readConfigFile(parser.value(u"config"_s));
 }
 
 } // namespace
@@ -101,10 +150,10 @@ tl::expected<EmulatorOptions, QString> parseCommandLine(const QStringList& argum
     declareOptions(parser);
     if (!parser.parse(arguments))
         return tl::unexpected(parser.errorText());
-    if (parser.isSet(u"help"_s) || parser.isSet(u"help-all"_s))
-        return EmulatorOptions{{}, false, parser.helpText()};
-    if (parser.isSet(u"version"_s))
-        return EmulatorOptions{{}, false, u"lds-emulator %1\n"_s.arg(QStringLiteral(LDS_VERSION))};
+    EmulatorOptions options;
+    options.information = informationFor(parser);
+    if (!options.information.isEmpty())
+        return options;
     for (const QString& name : laterOptions) {
         if (parser.isSet(name))
             return tl::unexpected(u"--%1 is not in this version: it speaks Modbus TCP only"_s.arg(name));
@@ -112,23 +161,18 @@ tl::expected<EmulatorOptions, QString> parseCommandLine(const QStringList& argum
     if (!parser.positionalArguments().isEmpty())
         return tl::unexpected(
             u"\"%1\" is not understood; see --help"_s.arg(parser.positionalArguments().first()));
-    if (parser.isSet(u"config"_s) == parser.isSet(u"sensor"_s))
-        return tl::unexpected(u"give either --sensor TYPE or --config FILE; see --help"_s);
-    if (!parser.isSet(u"config"_s)) {
-        const auto station = stationOf(parser);
-        if (!station)
-            return tl::unexpected(station.error());
-        return EmulatorOptions{{*station}, false, {}};
-    }
-    for (const QString& name : sensorOptions) {
-        if (parser.isSet(name))
-            return tl::unexpected(
-                u"--%1 belongs to --sensor; with --config it stands in the file"_s.arg(name));
-    }
-    const auto stations = readConfigFile(parser.value(u"config"_s));
+    const auto stations = stationsOf(parser);
     if (!stations)
         return tl::unexpected(stations.error());
-    return EmulatorOptions{*stations, true, {}};
+    options.stations = *stations;
+    options.fromConfig = parser.isSet(u"config"_s);
+    options.control = parser.isSet(u"control"_s);
+    if (options.control && !ControlInput::isPossible())
+        return tl::unexpected(u"--control: not on this system; use --control-socket"_s);
+    options.controlSocket = parser.value(u"control-socket"_s);
+    if (parser.isSet(u"control-socket"_s) && options.controlSocket.isEmpty())
+        return tl::unexpected(u"--control-socket: the name is empty"_s);
+    return options;
 }
 
 } // namespace lds::app

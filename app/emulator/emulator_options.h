@@ -13,7 +13,9 @@ namespace lds::app {
 struct EmulatorOptions {
     QList<emulator::StationOptions> stations;
     bool fromConfig = false; ///< The ready line then has a list of sensors.
-    QString information;     ///< Text to print and leave with success: help or version.
+    bool control = false;    ///< Take control lines from standard input.
+    QString controlSocket;   ///< Take them from a local socket of this name too; empty: no.
+    QString information;     ///< Text to print and leave with success: help, version, scenes.
 };
 
 /// What is wrong with it, for standard error.
@@ -22,10 +24,12 @@ tl::expected<EmulatorOptions, QString> parseCommandLine(const QStringList& argum
 /// A configuration file (--config): several sensors in one JSON file,
 ///
 ///     { "sensors": [ { "sensor": "HL-G203B-S-MK", "bind": "127.0.0.1",
-///                      "modbusPort": 15020, "toolPort": 0, "state": "first.json" }, … ] }
+///                      "modbusPort": 15020, "toolPort": 0, "state": "first.json",
+///                      "scene": "conveyor-step" }, … ] }
 ///
 /// "sensor" and at least one port are needed; 0 picks a free port, null or nothing starts no such server;
-/// "bind" is 127.0.0.1 unless told; a relative "state" is looked for beside the configuration file.
+/// "bind" is 127.0.0.1 unless told; a relative "state" or scene file is looked for beside the configuration
+/// file.
 tl::expected<QList<emulator::StationOptions>, QString> readConfigFile(const QString& path);
 
 /// The model of a type name, or a message that lists the known ones.

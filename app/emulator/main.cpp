@@ -1,5 +1,8 @@
 // lds-emulator: virtual sensors that speak the real protocols on real sockets.
 
+#include "control_desk.h"
+#include "control_input.h"
+#include "control_socket.h"
 #include "emulator_options.h"
 #include "system_clock.h"
 #include "unix_signals.h"
@@ -21,16 +24,17 @@ using emulator::StationProblem;
 
 enum ExitCode { Done = 0, CannotServe = 1, WrongUsage = 2 };
 
-void print(std::FILE* stream, const QString& text)
+void print(std::FILE* stream, const QByteArray& bytes)
 {
-    const QByteArray bytes = text.toUtf8();
     std::fwrite(bytes.constData(), 1, std::size_t(bytes.size()), stream);
     std::fflush(stream);
 }
 
+void log(const QString& message) { print(stderr, u"lds-emulator: %1\n"_s.arg(message).toUtf8()); }
+
 int fail(const QString& message, ExitCode code)
 {
-    print(stderr, u"lds-emulator: %1\n"_s.arg(message));
+    log(message);
     return code;
 }
 
@@ -49,6 +53,90 @@ QJsonObject describe(SensorStation& station)
                        {u"rtu"_s, QJsonValue()}};
 }
 
+/// The running program: its stations, and whoever controls them.
+class Emulator {
+public:
+    explicit Emulator(const app::EmulatorOptions& options)
+        : m_options(options)
+    {}
+
+    /// Done, or the exit code after it has said why not. Nothing listens before all files are read.
+    ExitCode start()
+    {
+        for (const auto& options : m_options.stations) {
+            auto station = SensorStation::prepare(options, m_clock);
+            if (!station)
+                return complain(m_stations.size(), station.error());
+            m_stations.push_back(std::move(*station));
+        }
+        for (std::size_t i = 0; i < m_stations.size(); ++i) {
+            if (const auto listening = m_stations[i]->listen(); !listening)
+                return complain(i, listening.error());
+            watch(i);
+        }
+        return startControl();
+    }
+
+    QJsonObject readyLine() const
+    {
+        QJsonArray sensors;
+        for (const auto& station : m_stations)
+            sensors.append(describe(*station));
+        QJsonObject ready = m_options.fromConfig ? QJsonObject{{u"ready"_s, true}, {u"sensors"_s, sensors}}
+                                                 : sensors.first().toObject();
+        if (m_options.control)
+            ready.insert(u"control"_s, true);
+        if (m_socket)
+            ready.insert(u"controlSocket"_s, m_socket->path());
+        return ready;
+    }
+
+private:
+    QString named(std::size_t index, const QString& message) const
+    {
+        return m_options.fromConfig ? u"sensors[%1]: %2"_s.arg(index).arg(message) : message;
+    }
+
+    ExitCode complain(std::size_t index, const StationProblem& problem) const
+    {
+        log(named(index, problem.message));
+        return problem.kind == StationProblem::Kind::Listen ? CannotServe : WrongUsage;
+    }
+
+    void watch(std::size_t index)
+    {
+        SensorStation& station = *m_stations[index];
+        QObject::connect(
+            &station.sensor(), &emulator::VirtualSensor::storeFailed, &station,
+            [this, index](const QString& reason) { log(named(index, u"cannot save: "_s + reason)); });
+        QObject::connect(&station, &SensorStation::networkChanged, &station,
+                         [this, index](const QString& message) { log(named(index, message)); });
+    }
+
+    ExitCode startControl()
+    {
+        QList<SensorStation*> stations;
+        for (const auto& station : m_stations)
+            stations.append(station.get());
+        m_desk = std::make_unique<app::ControlDesk>(stations);
+        if (m_options.control)
+            m_input = std::make_unique<app::ControlInput>(
+                *m_desk, fileno(stdin), [](const QByteArray& line) { print(stdout, line); });
+        if (m_options.controlSocket.isEmpty())
+            return Done;
+        m_socket = std::make_unique<app::ControlSocket>(*m_desk);
+        const auto listening = m_socket->listen(m_options.controlSocket);
+        return listening ? Done : ExitCode(fail(u"--control-socket "_s + listening.error(), CannotServe));
+    }
+
+    const app::EmulatorOptions& m_options;
+    emulator::SystemClock m_clock;
+    std::vector<std::unique_ptr<SensorStation>> m_stations;
+    std::unique_ptr<app::ControlDesk> m_desk;
+    std::unique_ptr<app::ControlInput> m_input;
+    std::unique_ptr<app::ControlSocket> m_socket;
+};
+
 } // namespace
 
 int main(int argc, char* argv[])
@@ -58,27 +146,14 @@ int main(int argc, char* argv[])
     if (!options)
         return fail(options.error(), WrongUsage);
     if (!options->information.isEmpty()) {
-        print(stdout, options->information);
+        print(stdout, options->information.toUtf8());
         return Done;
     }
 
     const app::UnixSignals signalsToQuit([] { QCoreApplication::quit(); });
-    emulator::SystemClock clock;
-    std::vector<std::unique_ptr<SensorStation>> stations;
-    QJsonArray sensors;
-    for (const auto& stationOptions : options->stations) {
-        auto station = SensorStation::start(stationOptions, clock);
-        if (!station) {
-            const bool state = station.error().kind == StationProblem::Kind::StateFile;
-            return fail(station.error().message, state ? WrongUsage : CannotServe);
-        }
-        QObject::connect(&(*station)->sensor(), &emulator::VirtualSensor::storeFailed, &application,
-                         [](const QString& reason) { fail(u"cannot save: "_s + reason, CannotServe); });
-        sensors.append(describe(**station));
-        stations.push_back(std::move(*station));
-    }
-    const QJsonObject ready = options->fromConfig ? QJsonObject{{u"ready"_s, true}, {u"sensors"_s, sensors}}
-                                                  : sensors.first().toObject();
-    print(stdout, QString::fromUtf8(QJsonDocument(ready).toJson(QJsonDocument::Compact)) + u'\n');
+    Emulator emulator(*options);
+    if (const ExitCode started = emulator.start(); started != Done)
+        return started;
+    print(stdout, QJsonDocument(emulator.readyLine()).toJson(QJsonDocument::Compact) + '\n');
     return QCoreApplication::exec();
 }

@@ -21,7 +21,7 @@ ModbusConnection::~ModbusConnection() { m_socket->disconnect(this); }
 void ModbusConnection::readArrived()
 {
     const QByteArray bytes = m_socket->readAll();
-    if (m_closing || bytes.isEmpty())
+    if (m_closing || m_lastAnswers || bytes.isEmpty())
         return;
     QList<QByteArray> messages;
     const auto state = m_buffer.feed(bytes, messages);
@@ -32,7 +32,7 @@ void ModbusConnection::readArrived()
     waitForRest(state == ModbusMessageBuffer::State::Waiting);
     Q_EMIT bytesReceived(bytes.size());
     for (const QByteArray& message : std::as_const(messages)) {
-        if (m_closing)
+        if (m_closing || m_lastAnswers)
             return;
         Q_EMIT messageReceived(message);
     }
@@ -53,8 +53,7 @@ void ModbusConnection::send(const QByteArray& answer, int delayMs)
     m_pending.enqueue({answer, m_clock.nowNs() + delayMs * 1'000'000LL});
     m_pendingBytes += answer.size();
     if (m_pendingBytes + m_socket->bytesToWrite() > largestBacklog) {
-        m_closing = true;
-        m_socket->abort(); // does not take its answers: nothing more to be sent
+        abort(); // does not take its answers: nothing more to be sent
         return;
     }
     if (m_sendTimer == 0)
@@ -69,8 +68,11 @@ void ModbusConnection::sendDue()
         m_pendingBytes -= answer.size();
         m_socket->write(answer);
     }
-    if (m_pending.isEmpty())
+    if (m_pending.isEmpty()) {
+        if (m_lastAnswers)
+            close();
         return;
+    }
     const qint64 leftNs = m_pending.head().dueNs - m_clock.nowNs();
     m_sendTimer = m_clock.after(int((leftNs + 999'999) / 1'000'000), this, [this] { sendDue(); });
 }
@@ -81,6 +83,25 @@ void ModbusConnection::close()
     m_pending.clear();
     m_pendingBytes = 0;
     m_socket->disconnectFromHost();
+}
+
+void ModbusConnection::closeAfterAnswers()
+{
+    m_lastAnswers = true;
+    // Later: a request may be being carried out right now, its answer still to come.
+    const auto closeWhenAnswered = [this] {
+        if (m_pending.isEmpty() && !m_closing)
+            close();
+    };
+    QMetaObject::invokeMethod(this, closeWhenAnswered, Qt::QueuedConnection);
+}
+
+void ModbusConnection::abort()
+{
+    m_closing = true;
+    m_pending.clear();
+    m_pendingBytes = 0;
+    m_socket->abort();
 }
 
 } // namespace lds::emulator

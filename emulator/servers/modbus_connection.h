@@ -28,6 +28,9 @@ public:
     /// Sends after `delayMs`, but never before an answer queued earlier.
     void send(const QByteArray& answer, int delayMs);
     void close(); ///< What has been sent before still goes out.
+    /// Takes no more requests, and closes when the answers under way have been sent.
+    void closeAfterAnswers();
+    void abort(); ///< At once, as when the power goes.
 
 Q_SIGNALS:
     void bytesReceived(qint64 count);
@@ -52,6 +55,7 @@ private:
     QQueue<Pending> m_pending;
     qint64 m_pendingBytes = 0;
     bool m_closing = false;
+    bool m_lastAnswers = false; ///< No more requests are taken.
 };
 
 } // namespace lds::emulator

@@ -14,29 +14,41 @@ ModbusTcpServer::ModbusTcpServer(VirtualSensor& sensor, EmulatorClock& clock, QO
     , m_sensor(sensor)
     , m_clock(clock)
     , m_responder(sensor)
-{
-    connect(&m_server, &QTcpServer::newConnection, this, &ModbusTcpServer::acceptConnections);
-}
+{}
 
 ModbusTcpServer::~ModbusTcpServer() { close(); }
 
 tl::expected<quint16, QString> ModbusTcpServer::listen(const QHostAddress& address, quint16 port)
 {
-    if (!m_server.listen(address, port))
-        return tl::unexpected(m_server.errorString());
-    return m_server.serverPort();
+    auto server = std::make_unique<QTcpServer>();
+    if (!server->listen(address, port))
+        return tl::unexpected(server->errorString());
+    m_address = address;
+    m_server = std::move(server);
+    connect(m_server.get(), &QTcpServer::newConnection, this, &ModbusTcpServer::acceptConnections);
+    return m_server->serverPort();
+}
+
+tl::expected<void, QString> ModbusTcpServer::moveTo(quint16 port)
+{
+    if (port == this->port())
+        return {};
+    const auto listening = listen(address(), port); // the old one goes only when the new one listens
+    if (!listening)
+        return tl::unexpected(listening.error());
+    return {};
 }
 
 void ModbusTcpServer::close()
 {
-    m_server.close();
+    m_server.reset();
     qDeleteAll(std::exchange(m_clients, {}));
 }
 
 void ModbusTcpServer::acceptConnections()
 {
-    while (QTcpSocket* socket = m_server.nextPendingConnection()) {
-        if (m_clients.size() >= mostClients) {
+    while (QTcpSocket* socket = m_server->nextPendingConnection()) {
+        if (m_standing.connectionsDropped || m_clients.size() >= mostClients) {
             socket->abort();
             socket->deleteLater();
             continue;
@@ -61,6 +73,26 @@ void ModbusTcpServer::closeAllConnections()
         connection->close();
 }
 
+void ModbusTcpServer::closeAllAfterAnswers()
+{
+    for (ModbusConnection* connection : std::as_const(m_clients))
+        connection->closeAfterAnswers();
+}
+
+void ModbusTcpServer::abortAllConnections()
+{
+    const auto clients = m_clients; // aborting takes them out of the list
+    for (ModbusConnection* connection : clients)
+        connection->abort();
+}
+
+void ModbusTcpServer::setStandingFaults(const StandingFaults& faults)
+{
+    m_standing = faults;
+    if (m_standing.connectionsDropped)
+        abortAllConnections();
+}
+
 void ModbusTcpServer::handle(ModbusConnection* connection, const QByteArray& message)
 {
     const modbus::TcpHeader header = modbus::decodeHeader(message);
@@ -74,9 +106,11 @@ void ModbusTcpServer::handle(ModbusConnection* connection, const QByteArray& mes
         connection->close();
         return;
     }
+    if (m_before)
+        m_before();
     QByteArray answer = m_responder.answer(pdu);
     Q_EMIT requestHandled(functionCode);
-    if (fault == Fault::DropAnswer)
+    if (fault == Fault::DropAnswer || m_standing.answersLost)
         return;
     if (fault == Fault::CloseAfterCarryOut) {
         connection->close();
@@ -85,9 +119,9 @@ void ModbusTcpServer::handle(ModbusConnection* connection, const QByteArray& mes
     const auto transaction =
         quint16(fault == Fault::WrongTransaction ? header.transaction ^ 0x5555 : header.transaction);
     answer = modbus::encodeFrame(transaction, header.unit, answer);
-    if (fault == Fault::CutAnswer)
+    if (fault == Fault::CutAnswer || m_standing.answersCut)
         answer.chop(2);
-    connection->send(answer, std::max(m_answerDelayMs, m_sensor.silentForMs()));
+    connection->send(answer, std::max({m_answerDelayMs, m_standing.answerDelayMs, m_sensor.silentForMs()}));
 }
 
 void ModbusTcpServer::injectFault(Fault fault, FaultOn on, int times) { m_faults.add(fault, on, times); }

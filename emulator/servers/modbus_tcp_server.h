@@ -10,9 +10,21 @@
 #include <QObject>
 #include <QTcpServer>
 
+#include <functional>
+#include <memory>
+
 namespace lds::emulator {
 
 class ModbusConnection;
+
+/// What goes wrong with every answer for as long as it is set.
+struct StandingFaults {
+    int answerDelayMs = 0;           ///< Answers come so much later.
+    bool answersLost = false;        ///< Requests are carried out and not answered.
+    bool answersCut = false;         ///< The last two bytes of each answer never come.
+    bool connectionsDropped = false; ///< Connections end, and new ones at once.
+    bool operator==(const StandingFaults&) const = default;
+};
 
 /// One TCP port of a virtual sensor: the Modbus port and the tool port behave alike (§5.2.1). Lives in the
 /// sensor's thread.
@@ -28,19 +40,32 @@ public:
     /// Port 0 picks a free one. The error says why it could not listen.
     tl::expected<quint16, QString> listen(const QHostAddress& address, quint16 port);
     void close(); ///< Stops listening and ends all connections.
-    quint16 port() const { return m_server.serverPort(); }
+    bool isListening() const { return m_server != nullptr; }
+    quint16 port() const { return m_server ? m_server->serverPort() : quint16(0); } ///< 0: not listening.
+    QHostAddress address() const { return m_address; } ///< It listens there, or did last.
+    /// Listens at another port of the same address; connections stay. The error says why not, and then
+    /// it listens where it did, if it did.
+    tl::expected<void, QString> moveTo(quint16 port);
+    /// Stops listening; connections stay. For two servers that change places.
+    void stopListening() { m_server.reset(); }
     int clientCount() const { return int(m_clients.size()); }
 
     ModbusResponder& responder() { return m_responder; }
 
-    // Faults on purpose and counts, for tests.
+    // Faults on purpose, and counts.
     /// Spoils the answers to the next `times` requests of that kind.
     void injectFault(Fault fault, FaultOn on = FaultOn::AnyRequest, int times = 1);
     void clearFaults() { m_faults.clear(); }
     int faultsWaiting() const { return m_faults.waiting(); }
     void setAnswerDelay(int milliseconds) { m_answerDelayMs = milliseconds; }
+    /// Runs before each request is carried out.
+    void setBefore(std::function<void()> before) { m_before = std::move(before); }
     void setSilent(bool silent) { m_silent = silent; } ///< Takes requests and does nothing with them.
+    void setStandingFaults(const StandingFaults& faults);
     void closeAllConnections();
+    /// Takes no more requests; each connection ends when its answers under way have gone out.
+    void closeAllAfterAnswers();
+    void abortAllConnections(); ///< At once, as when the power goes.
     int requestCount(quint8 functionCode) const { return m_requestCounts.value(functionCode); }
     int totalRequestCount() const;
     qint64 receivedBytes() const { return m_receivedBytes; } ///< Of all clients, whole messages or not.
@@ -56,9 +81,12 @@ private:
     VirtualSensor& m_sensor;
     EmulatorClock& m_clock;
     ModbusResponder m_responder;
-    QTcpServer m_server;
+    QHostAddress m_address;
+    std::unique_ptr<QTcpServer> m_server; ///< Nothing while it does not listen.
     QList<ModbusConnection*> m_clients;
+    std::function<void()> m_before;
     ServerFaults m_faults;
+    StandingFaults m_standing;
     QHash<quint8, int> m_requestCounts;
     qint64 m_receivedBytes = 0;
     int m_answerDelayMs = 0;

@@ -1,12 +1,17 @@
 #pragma once
 
-#include "emulator_clock.h"
+#include "fault_desk.h"
 #include "modbus_tcp_server.h"
+#include "replay_clock.h"
+#include "scene_player.h"
+#include "station_network.h"
+#include "station_state.h"
 #include "virtual_sensor.h"
 
 #include <memory>
 #include <optional>
 #include <QHostAddress>
+#include <QObject>
 #include <QString>
 
 namespace lds::emulator {
@@ -18,35 +23,58 @@ struct StationOptions {
     std::optional<quint16> modbusPort; ///< Nothing = no such server; 0 = any free port.
     std::optional<quint16> toolPort;
     QString stateFile; ///< Where the saved memory outlives the program; empty = nowhere.
+    QString scene;     ///< A file, or an example's key; empty = a workpiece that moves gently.
 };
 
 /// Why a station did not start.
 struct StationProblem {
-    enum class Kind { StateFile, Listen };
+    enum class Kind { StateFile, Scene, Listen };
     Kind kind;
     QString message; ///< What and where, English, for standard error.
 };
 
-/// A virtual sensor and its servers, in one thread.
-class SensorStation {
+/// A virtual sensor with what it looks at, what goes wrong with it, and its servers; in one thread.
+class SensorStation final : public QObject {
+    Q_OBJECT
+
 public:
-    static tl::expected<std::unique_ptr<SensorStation>, StationProblem> start(const StationOptions& options,
-                                                                              EmulatorClock& clock);
+    using Started = tl::expected<std::unique_ptr<SensorStation>, StationProblem>;
+
+    /// Reads its files and listens nowhere yet.
+    static Started prepare(const StationOptions& options, EmulatorClock& clock);
+    tl::expected<void, StationProblem> listen();
+    static Started start(const StationOptions& options, EmulatorClock& clock); ///< Both.
 
     VirtualSensor& sensor() { return m_sensor; }
+    ScenePlayer& player() { return m_player; }
+    FaultDesk& faults() { return m_faults; }
     ModbusTcpServer& modbusServer() { return m_modbusServer; }
     ModbusTcpServer& toolServer() { return m_toolServer; }
-    std::optional<quint16> modbusPort() const { return m_modbusPort; }
-    std::optional<quint16> toolPort() const { return m_toolPort; }
+    std::optional<quint16> modbusPort() const { return portOf(m_modbusServer); } ///< Nothing: no such server.
+    std::optional<quint16> toolPort() const { return portOf(m_toolServer); }
+
+    /// A file, or an example's key; empty = the workpiece that moves gently. The error names file and field,
+    /// and then everything stays as it is.
+    tl::expected<void, QString> loadScene(const QString& pathOrExample);
+    StationState state() const;
+
+Q_SIGNALS:
+    void stateChanged();
+    void networkChanged(const QString& message); ///< A server moved to another port, or could not.
 
 private:
-    SensorStation(const SettingsMemory& saved, EmulatorClock& clock);
+    SensorStation(const StationOptions& options, const SettingsMemory& saved, EmulatorClock& clock);
+    static std::optional<quint16> portOf(const ModbusTcpServer& server);
 
+    const StationOptions m_options;
+    ReplayClock m_sensorClock;
     VirtualSensor m_sensor;
     ModbusTcpServer m_modbusServer;
     ModbusTcpServer m_toolServer;
-    std::optional<quint16> m_modbusPort;
-    std::optional<quint16> m_toolPort;
+    FaultDesk m_faults;
+    ScenePlayer m_player;
+    StationNetwork m_network;
+    QString m_scene; ///< As it was loaded.
 };
 
 } // namespace lds::emulator

@@ -113,7 +113,7 @@ void EmulatorProgramTest::wrongUsageIsToldAndExitsWith2_data()
                              << u"HL-G%1B-S-MK"_s.arg(QString::fromLatin1(model));
     }
     const QString sensor = u"--sensor HL-G203B-S-MK "_s;
-    for (const char* option : {"slmp-port", "eip-port", "eip-io-port", "rtu", "unit", "scene"}) {
+    for (const char* option : {"slmp-port", "eip-port", "eip-io-port", "rtu", "unit"}) {
         const QString name = u"--"_s + QString::fromLatin1(option);
         QTest::newRow(option) << sensor + u"--modbus-port 0 %1 1"_s.arg(name)
                               << name + u" is not in this version"_s;

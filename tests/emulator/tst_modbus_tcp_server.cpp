@@ -90,7 +90,10 @@ private Q_SLOTS:
 private:
     std::unique_ptr<RawClient> connectTo(ModbusTcpServer& server);
     ModbusTcpServer& server() { return m_station->modbusServer(); }
+    /// Beside the one by which the sensor follows the clock.
+    int serverTimers() const { return m_clock->pending() - m_sensorTimers; }
 
+    int m_sensorTimers = 0;
     std::unique_ptr<ManualClock> m_clock;
     std::unique_ptr<SensorStation> m_station;
     std::unique_ptr<RawClient> m_client;
@@ -105,6 +108,7 @@ void ModbusTcpServerTest::init()
     auto station = SensorStation::start(options, *m_clock);
     QVERIFY(station.has_value());
     m_station = std::move(*station);
+    m_sensorTimers = m_clock->pending();
     m_client = connectTo(server());
     QTRY_VERIFY(m_client->isConnected() && server().clientCount() == 1);
 }
@@ -168,7 +172,7 @@ void ModbusTcpServerTest::discardsForeignProtocolsAndShortMessagesSilently()
 void ModbusTcpServerTest::discardsAMessageLongerThanItsLengthField()
 {
     m_client->send(readSpan(1) + "xx");
-    QTRY_COMPARE(m_clock->pending(), 1);
+    QTRY_COMPARE(serverTimers(), 1);
     m_clock->advanceMs(100);
     m_client->send(readSpan(2));
     QTRY_COMPARE(m_client->received(), spanAnswer(2));
@@ -178,9 +182,9 @@ void ModbusTcpServerTest::discardsAMessageLongerThanItsLengthField()
 void ModbusTcpServerTest::discardsAMessageThatStopsHalfWay()
 {
     m_client->send(readSpan(1).left(9));
-    QTRY_COMPARE(m_clock->pending(), 1);
+    QTRY_COMPARE(serverTimers(), 1);
     m_clock->advanceMs(100);
-    QCOMPARE(m_clock->pending(), 0);
+    QCOMPARE(serverTimers(), 0);
     m_client->send(readSpan(2));
     QTRY_COMPARE(m_client->received(), spanAnswer(2));
 }
@@ -188,11 +192,11 @@ void ModbusTcpServerTest::discardsAMessageThatStopsHalfWay()
 void ModbusTcpServerTest::aByteInTimeKeepsTheMessageAlive()
 {
     m_client->send(readSpan(1).left(9));
-    QTRY_COMPARE(m_clock->pending(), 1);
+    QTRY_COMPARE(serverTimers(), 1);
     m_clock->advanceMs(99);
     m_client->send(readSpan(1).mid(9));
     QTRY_COMPARE(m_client->received(), spanAnswer(1));
-    QCOMPARE(m_clock->pending(), 0);
+    QCOMPARE(serverTimers(), 0);
 }
 
 void ModbusTcpServerTest::closesTheConnectionOverMoreThan270Bytes_data()
@@ -330,14 +334,14 @@ void ModbusTcpServerTest::delayedAnswersComeLaterAndInOrder()
 {
     server().setAnswerDelay(50);
     m_client->send(readSpan(1));
-    QTRY_COMPARE(m_clock->pending(), 1);
+    QTRY_COMPARE(serverTimers(), 1);
     m_clock->advanceMs(20);
     server().setAnswerDelay(0);
     m_client->send(readSpan(2)); // does not overtake
     QTRY_COMPARE(server().totalRequestCount(), 2);
     QCOMPARE(m_client->received(), QByteArray());
     m_clock->advanceMs(29);
-    QCOMPARE(m_clock->pending(), 1);
+    QCOMPARE(serverTimers(), 1);
     m_clock->advanceMs(1);
     QTRY_COMPARE(m_client->received(), spanAnswer(1) + spanAnswer(2));
 }
@@ -358,9 +362,9 @@ void ModbusTcpServerTest::savingSilencesTheSensor()
     m_station->sensor().setSavingDuration(700);
     const QByteArray save = hex("0001 0000 0006 01 06 0035 0000");
     m_client->send(save);
-    QTRY_COMPARE(m_clock->pending(), 1);
+    QTRY_COMPARE(serverTimers(), 1);
     m_clock->advanceMs(699);
-    QCOMPARE(m_clock->pending(), 1);
+    QCOMPARE(serverTimers(), 1);
     m_clock->advanceMs(1);
     QTRY_COMPARE(m_client->received(), save); // the echo
 }
