@@ -196,7 +196,7 @@ void StateFileTest::anUnwritablePlaceIsToldByName()
 {
     const QTemporaryDir folder;
     const QString path = folder.filePath(u"no such folder/state.json"_s);
-    const auto saved = StateFile(path).save(changedMemory());
+    const auto saved = StateFile(path).save(changedMemory(), someLife);
     QVERIFY(!saved.has_value());
     QVERIFY2(saved.error().startsWith(path), qPrintable(saved.error()));
 }
