@@ -1,5 +1,6 @@
 #pragma once
 
+#include "serial_settings.h"
 #include "setting_item.h"
 
 #include <optional>
@@ -9,16 +10,18 @@
 
 namespace lds::ports {
 
-enum class Protocol : quint8 { ModbusTcp };
+enum class Protocol : quint8 { ModbusTcp, ModbusRtu };
 
 /// Where a sensor is and how to speak to it; the same text in the GUI, the command line and files:
 /// modbus-tcp://192.168.1.6:49152?sensor=HL-G203B-S-MK&unit=1&view=only
+/// modbus-rtu:/dev/ttyUSB0?baud=38400&parity=even&stop=1&unit=1
 struct ConnectionUrl {
     Protocol protocol = Protocol::ModbusTcp;
-    QString host;          ///< A name or an address, without brackets.
+    QString host;          ///< A name or an address, without brackets; RTU: the serial port as it is opened.
     quint16 port = 502;    ///< 1 … 65535; 502 when the text names none (§5.2.1).
-    quint8 unit = 1;       ///< Unit identifier; without meaning over TCP, answered as sent (§5.2.3).
-    bool viewOnly = false; ///< Never writes.
+    SerialSettings serial; ///< RTU only (§6.2).
+    quint8 unit = 1; ///< RTU: device address, 1 … 247. TCP: without meaning, answered as sent (§5.2.3).
+    bool viewOnly = false;                      ///< Never writes.
     std::optional<catalog::SensorModel> sensor; ///< What the person says it is; Modbus does not tell.
 
     QString toString() const; ///< Canonical; defaults are left out, except the port.
