@@ -42,6 +42,8 @@ private Q_SLOTS:
     void copyingABankTakesItsZeroCorrectionAlong();
     void initializingABankLeavesTheOthersAlone();
     void allAreasSparesLanguageAndCommunication();
+    void setValueInitializationSparesCommunicationOnly();
+    void aBankCarriesItsTunedBrightness();
 };
 
 void SettingsMemoryTest::defaultsAreThoseOfTheModel_data()
@@ -165,6 +167,7 @@ void SettingsMemoryTest::allAreasSparesLanguageAndCommunication()
     memory.setValue(ItemId::IpAddress4thOctet, 99);
     memory.setValue(ItemId::DeviceAddress, 7);
     memory.setValue(ItemId::TerminationResistance, 1);
+    memory.setInputPolarity(InputPolarity::Pnp);
     const SettingsMemory spared = memory;
     memory.setValue(ItemId::Offset, 9, 3);
     memory.setValue(ItemId::EcoMode, 0);
@@ -175,6 +178,32 @@ void SettingsMemoryTest::allAreasSparesLanguageAndCommunication()
     QVERIFY(memory != spared);
     memory.initializeAllAreas();
     QVERIFY(memory == spared);
+}
+
+void SettingsMemoryTest::setValueInitializationSparesCommunicationOnly() // §4.8.6
+{
+    SettingsMemory memory(SensorModel::HlG203);
+    memory.setValue(ItemId::PortModbus, 1502);
+    memory.setValue(ItemId::CommunicationSpeed, 4);
+    const SettingsMemory spared = memory;
+    memory.setValue(ItemId::LanguageSetting, 2);
+    memory.setInputPolarity(InputPolarity::Pnp);
+    memory.setValue(ItemId::Offset, 9, 3);
+    memory.setTunedBrightness(1, BrightnessRange{1, 2});
+    memory.setValue(ItemId::EcoMode, 0);
+    memory.initializeSetValues();
+    QVERIFY(memory == spared);
+}
+
+void SettingsMemoryTest::aBankCarriesItsTunedBrightness() // §4.2
+{
+    SettingsMemory memory(SensorModel::HlG203);
+    memory.setTunedBrightness(0, BrightnessRange{10, 20});
+    QVERIFY(!memory.tunedBrightness(2));
+    memory.copyBank(memory, 0, 2);
+    QCOMPARE(memory.tunedBrightness(2), (BrightnessRange{10, 20}));
+    memory.initializeBank(0);
+    QVERIFY(!memory.tunedBrightness(0) && memory.tunedBrightness(2));
 }
 
 QTEST_APPLESS_MAIN(SettingsMemoryTest)
