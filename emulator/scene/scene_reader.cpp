@@ -3,8 +3,10 @@
 #include "json_fields.h"
 #include "scene_motion_reader.h"
 
+#include <algorithm>
 #include <QJsonDocument>
 #include <QJsonParseError>
+#include <utility>
 
 namespace lds::emulator {
 
@@ -21,10 +23,12 @@ constexpr NumberLimits lengthLimits{shortestWorkpiece, longestWorkpiece, " mm"};
 constexpr NumberLimits seedLimits{0, 9'007'199'254'740'992}; // 2^53: whole numbers JSON can carry
 constexpr NumberLimits millisecondLimits{1, mostMilliseconds, " ms"};
 
-/// "line 3, column 17"; columns count characters, not bytes.
-QString lineAndColumn(const QByteArray& json, qsizetype offset)
+/// "line 3, column 17": the character the parser could not take. Columns count characters, not bytes.
+QString lineAndColumn(const QByteArray& json, const QJsonParseError& error)
 {
-    const QByteArray before = json.left(offset);
+    // The parser stops behind the character that is wrong, but in front of what follows a whole document.
+    const bool stoppedInFront = error.error == QJsonParseError::GarbageAtEnd;
+    const QByteArray before = json.left(stoppedInFront ? error.offset : std::max(0, error.offset - 1));
     const qsizetype lineStart = before.lastIndexOf('\n') + 1;
     const qsizetype line = before.count('\n') + 1;
     return u"line %1, column %2"_s.arg(line).arg(QString::fromUtf8(before.mid(lineStart)).size() + 1);
@@ -284,7 +288,7 @@ tl::expected<SceneDescription, QString> readScene(const QByteArray& json, double
     const QJsonDocument document = QJsonDocument::fromJson(json, &error);
     if (error.error != QJsonParseError::NoError)
         return tl::unexpected(
-            u"is not JSON: %1 at %2"_s.arg(error.errorString(), lineAndColumn(json, error.offset)));
+            u"is not JSON: %1 at %2"_s.arg(error.errorString(), lineAndColumn(json, error)));
     if (!document.isObject())
         return tl::unexpected(u"has to be an object, {…}"_s);
     return SceneReader(document.object(), measurementRange).read();
