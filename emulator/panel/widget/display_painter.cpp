@@ -99,16 +99,26 @@ public:
 private:
     int pixelSize(double dots) const { return std::max(1, int(std::lround(dots * m_dot))); }
 
+    static bool fits(const QFont& font, const QRectF& area, int flags, const QString& text)
+    {
+        const QRectF needed = QFontMetricsF(font).boundingRect(area, flags, text);
+        return needed.width() <= area.width() + 0.5 && needed.height() <= area.height() + 0.5;
+    }
+
+    /// Words without spaces are rather smaller on one line than broken anywhere.
     void draw(const QRectF& dots, const QString& text, QFont font, double size, int flags,
               const QColor& color)
     {
+        constexpr double smallestUnbroken = 0.65;
         const QRectF area = place(dots);
-        for (int pixels = pixelSize(size); pixels > 1; --pixels) {
-            font.setPixelSize(pixels);
-            const QRectF needed = QFontMetricsF(font).boundingRect(area, flags, text);
-            if (needed.width() <= area.width() + 0.5 && needed.height() <= area.height() + 0.5)
-                break;
-        }
+        const int largest = pixelSize(size);
+        const int unbroken = text.contains(u' ') ? largest : int(largest * smallestUnbroken);
+        int pixels = largest;
+        font.setPixelSize(pixels);
+        while (pixels > unbroken && !fits(font, area, flags & ~Qt::TextWordWrap, text))
+            font.setPixelSize(--pixels);
+        while (pixels > 1 && !fits(font, area, flags, text))
+            font.setPixelSize(--pixels);
         m_painter.setFont(font);
         m_painter.setPen(color);
         m_painter.drawText(area, flags, text);
@@ -193,11 +203,22 @@ void paintMenu(Canvas& canvas, const DisplayContent& content)
     canvas.words({4, 16, 120, 46}, content.body, 16, inTheMiddle, white, QFont::DemiBold);
 }
 
+/// What to set on one line, what to push on the next.
+QString onTwoLines(QString prompt)
+{
+    qsizetype gap = prompt.indexOf(u" - "_s);
+    if (gap < 0)
+        gap = prompt.indexOf(u" and "_s);
+    if (gap < 0)
+        gap = prompt.lastIndexOf(u' ');
+    return gap < 0 ? prompt : prompt.replace(gap, 1, u'\n');
+}
+
 void paintPrompt(Canvas& canvas, const DisplayContent& content)
 {
     const bool hasValue = !content.body.isEmpty();
-    canvas.words({4, 3, 120, hasValue ? 27.0 : 58.0}, content.title, hasValue ? 11 : 13, inTheMiddle, amber,
-                 QFont::DemiBold);
+    canvas.words({4, 3, 120, hasValue ? 27.0 : 58.0}, onTwoLines(content.title), hasValue ? 11 : 13,
+                 inTheMiddle, amber, QFont::DemiBold);
     canvas.figures({2, 31, 124, 20}, withMinus(content.body), 20, -1, white);
     canvas.words({90, 51, 35, 12}, content.unit, 10, toTheRight, grey);
 }
