@@ -1,6 +1,11 @@
 #include "scene_fixture.h"
 
 #include <algorithm>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSet>
 
 using namespace lds::emulator;
 using namespace lds::emulator::test;
@@ -54,6 +59,25 @@ bool isAbout(Nanometres distance, double share)
     return std::abs(double(distance) - share * 5 * mm) < 0.001 * 5 * mm;
 }
 
+QString documentation()
+{
+    QFile file(qEnvironmentVariable("LDS_SOURCE") + u"/docs/scenes.md"_s); // ctest sets it
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+void collectKeys(const QJsonValue& value, QSet<QString>& keys)
+{
+    if (value.isArray()) {
+        for (const QJsonValue element : value.toArray())
+            collectKeys(element, keys);
+    }
+    const QJsonObject object = value.toObject();
+    for (auto it = object.begin(); it != object.end(); ++it) {
+        keys.insert(it.key());
+        collectKeys(it.value(), keys);
+    }
+}
+
 } // namespace
 
 class SceneExamplesTest : public QObject {
@@ -70,6 +94,8 @@ private Q_SLOTS:
     void vibratingPlateSwingsTenTimesASecond();
     void rubberIsFarDarkerThanSteelAtTheSameMoment();
     void missingPartsLeaveNothingThere();
+    void theDocumentedSceneIsOne();
+    void everyFieldAndFaultIsDocumented();
 };
 
 void SceneExamplesTest::thereAreFive()
@@ -194,6 +220,37 @@ void SceneExamplesTest::missingPartsLeaveNothingThere()
     const Seen seen = lookAt(*scene);
     QVERIFY(seen.absent > 0);
     QVERIFY(seen.present > 0);
+}
+
+void SceneExamplesTest::theDocumentedSceneIsOne()
+{
+    const QString text = documentation();
+    const qsizetype begin = text.indexOf("```json\n"_L1) + 8;
+    QVERIFY(begin > 8);
+    const QByteArray json = text.mid(begin, text.indexOf("```"_L1, begin) - begin).toUtf8();
+    for (const auto& model : Catalog::hlG2().models()) {
+        const auto scene = sceneOf(json, model.model);
+        QVERIFY(scene);
+        QCOMPARE(scene->holdingStill(u"without cap"_s)->at(0).distance / 10'000, -mm / 10'000);
+    }
+}
+
+void SceneExamplesTest::everyFieldAndFaultIsDocumented()
+{
+    const QString text = documentation();
+    QSet<QString> words;
+    collectKeys(QJsonDocument::fromJson(fullScene()).object(), words);
+    for (const QString& key : Scene::examples()) {
+        words.insert(key);
+        QFile file(u":/lds/scenes/%1.json"_s.arg(key));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        collectKeys(QJsonDocument::fromJson(file.readAll()).object(), words);
+    }
+    for (const NamedFault fault : allFaults())
+        words.insert(keyOf(fault));
+    QVERIFY(words.size() > 30);
+    for (const QString& word : std::as_const(words))
+        QVERIFY2(text.contains(u'`' + word + u'`'), qPrintable(word));
 }
 
 QTEST_GUILESS_MAIN(SceneExamplesTest)
