@@ -161,10 +161,9 @@ tl::expected<ControlCommand, QString> parseControlLine(const QString& line)
         if (verb.isEmpty())
             return tl::unexpected(u"sensor %1: what with it? Try help"_s.arg(*sensor));
     }
-    const What what = parseWhat(verb, rest);
-    if (!what)
-        return tl::unexpected(what.error());
-    return ControlCommand{sensor, *what};
+    return parseWhat(verb, rest).map([sensor](const ControlCommand::What& what) {
+        return ControlCommand{sensor, what};
+    });
 }
 
 QStringList controlForms()

@@ -20,6 +20,7 @@ QString protocolName(ports::Protocol protocol)
 {
     switch (protocol) {
     case ports::Protocol::ModbusTcp:
+    case ports::Protocol::ModbusRtu:
         return QStringLiteral("Modbus");
     }
     return {};
