@@ -40,7 +40,12 @@ FaultDesk::FaultDesk(VirtualSensor& sensor, const QList<ModbusTcpServer*>& serve
     : m_sensor(sensor)
     , m_servers(servers)
     , m_clock(clock)
-{}
+{
+    connect(&sensor, &VirtualSensor::poweredOn, this, [this] {
+        endSaving(By::Person);
+        endSaving(By::Scene);
+    });
+}
 
 bool FaultDesk::isOn(NamedFault fault, By by) const { return of(by).contains(fault); }
 
@@ -60,33 +65,34 @@ void FaultDesk::switchOn(NamedFault fault, By by, std::optional<int> millisecond
     if (const auto usual = defaultMilliseconds(fault))
         on.milliseconds = std::clamp(milliseconds.value_or(*usual), 0, longestMs);
     if (fault == NamedFault::Saving)
-        keepSilent(fault, by, on);
+        startSaving(by, on);
     else
         apply(fault);
     Q_EMIT changed();
 }
 
-void FaultDesk::keepSilent(NamedFault fault, By by, Switch& on)
+void FaultDesk::startSaving(By by, Switch& on)
 {
-    m_sensor.beSilentForMs(std::max(on.milliseconds, m_sensor.silentForMs()));
+    m_sensor.beSilentForMs(on.milliseconds);
     m_clock.cancel(on.end);
-    on.end = m_clock.after(on.milliseconds, this, [this, fault, by] {
-        of(by).erase(fault);
-        Q_EMIT changed();
-    });
+    on.end = m_clock.after(m_sensor.silentForMs(), this, [this, by] { endSaving(by); });
 }
 
-void FaultDesk::switchOff(NamedFault fault, By by)
+void FaultDesk::endSaving(By by)
 {
-    const auto on = of(by).find(fault);
+    const auto on = of(by).find(NamedFault::Saving);
     if (on == of(by).end())
         return;
     m_clock.cancel(on->second.end);
     of(by).erase(on);
-    if (fault != NamedFault::Saving)
-        apply(fault);
-    else if (!isOn(fault))
-        m_sensor.beSilentForMs(0);
+    Q_EMIT changed();
+}
+
+void FaultDesk::switchOff(NamedFault fault, By by)
+{
+    if (fault == NamedFault::Saving || of(by).erase(fault) == 0)
+        return;
+    apply(fault);
     Q_EMIT changed();
 }
 

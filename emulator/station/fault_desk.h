@@ -24,9 +24,9 @@ public:
 
     FaultDesk(VirtualSensor& sensor, const QList<ModbusTcpServer*>& servers, EmulatorClock& clock);
 
-    /// Saving ends by itself after its time; switched on again, it starts anew. `milliseconds` is for the
-    /// faults that take one, their default when nothing is given.
+    /// `milliseconds` is for the faults that take one, their default when nothing is given.
     void switchOn(NamedFault fault, By by, std::optional<int> milliseconds = {});
+    /// Saving goes off by itself: after its time, or when the power is cycled.
     void switchOff(NamedFault fault, By by);
     void switchAllOff(By by);
     bool isOn(NamedFault fault) const { return isOn(fault, By::Person) || isOn(fault, By::Scene); }
@@ -46,7 +46,8 @@ private:
 
     Switches& of(By by) { return m_on[std::size_t(by)]; }
     const Switches& of(By by) const { return m_on[std::size_t(by)]; }
-    void keepSilent(NamedFault fault, By by, Switch& on);
+    void startSaving(By by, Switch& on);
+    void endSaving(By by);
     void apply(NamedFault fault);
 
     VirtualSensor& m_sensor;

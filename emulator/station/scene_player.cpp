@@ -57,7 +57,6 @@ void ScenePlayer::start()
 {
     m_held.clear();
     m_heldAt.reset();
-    m_sensor.letWorkpieceMove();
     m_sensor.setScenery(m_scene);
     m_beganNs = m_sensorClock.nowNs();
     m_doneMs = 0;
@@ -73,7 +72,6 @@ bool ScenePlayer::holdStill(const QString& workpiece)
     standStill();
     m_held = workpiece;
     m_heldAt.reset();
-    m_sensor.letWorkpieceMove();
     m_sensor.setScenery(scenery);
     Q_EMIT changed();
     return true;

@@ -1,13 +1,14 @@
 #include "manual_clock.h"
 #include "modbus_tcp_server.h"
+#include "raw_client.h"
 #include "sensor_station.h"
 
 #include <QSignalSpy>
-#include <QTcpSocket>
 #include <QTest>
 
 using namespace lds::emulator;
 using namespace lds::catalog;
+using lds::test::RawClient;
 
 namespace {
 
@@ -26,30 +27,6 @@ QByteArray writeEco(quint8 transaction, quint8 value)
 {
     return hex("bb") + char(transaction) + hex("0000 0006 01 06 006c 00") + char(value);
 }
-
-/// A client that only collects what arrives.
-class RawClient {
-public:
-    explicit RawClient(quint16 port)
-    {
-        QObject::connect(&m_socket, &QTcpSocket::readyRead, &m_socket,
-                         [this] { m_received += m_socket.readAll(); });
-        m_socket.connectToHost(QHostAddress::LocalHost, port);
-    }
-    bool isConnected() const { return m_socket.state() == QAbstractSocket::ConnectedState; }
-    bool isClosed() const { return m_socket.state() == QAbstractSocket::UnconnectedState; }
-    void send(const QByteArray& bytes)
-    {
-        m_socket.write(bytes);
-        m_socket.flush();
-    }
-    const QByteArray& received() const { return m_received; }
-    QTcpSocket& socket() { return m_socket; }
-
-private:
-    QTcpSocket m_socket;
-    QByteArray m_received;
-};
 
 } // namespace
 
