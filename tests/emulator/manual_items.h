@@ -29,6 +29,16 @@ inline catalog::Value otherThanDefault(const catalog::SettingItem& item, catalog
     return above <= limits.maximum ? above : limits.defaultValue - limits.resolution;
 }
 
+inline QList<catalog::ItemId> settingsChangedAlone()
+{
+    QList<catalog::ItemId> found;
+    for (const catalog::SettingItem& item : catalog::Catalog::hlG2().items()) {
+        if (canBeChangedAlone(item))
+            found.append(item.id);
+    }
+    return found;
+}
+
 /// One row for each of `items`, by key.
 inline void addRows(const QList<catalog::ItemId>& items)
 {

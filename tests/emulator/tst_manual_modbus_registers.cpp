@@ -113,12 +113,8 @@ void ManualModbusRegistersTest::peakIntensityIs65535WhileIndeterminate()
 
 void ManualModbusRegistersTest::aSettingIsReadBackAsWritten_data()
 {
-    QList<ItemId> items{ItemId::LaserStop, ItemId::KeyLock, ItemId::BankSwitching};
-    for (const SettingItem& item : Catalog::hlG2().items()) {
-        if (canBeChangedAlone(item))
-            items.append(item.id);
-    }
-    addRows(items);
+    const QList<ItemId> switches{ItemId::LaserStop, ItemId::KeyLock, ItemId::BankSwitching};
+    addRows(switches + settingsChangedAlone());
 }
 
 void ManualModbusRegistersTest::aSettingIsReadBackAsWritten()

@@ -9,16 +9,6 @@ using namespace lds::test;
 
 namespace {
 
-QList<ItemId> settings()
-{
-    QList<ItemId> found;
-    for (const SettingItem& item : Catalog::hlG2().items()) {
-        if (canBeChangedAlone(item))
-            found.append(item.id);
-    }
-    return found;
-}
-
 /// §4.8.6: excluded from "All Areas" besides the NPN/PNP setting, which no message reaches.
 bool isSparedByAllAreas(ItemId id)
 {
@@ -33,9 +23,9 @@ class ManualSavingTest : public SensorFixture {
 private Q_SLOTS:
     void init() { setUp(); }
 
-    void aSettingNotSavedIsGoneWhenThePowerIsTurnedOff_data() { addRows(settings()); }
+    void aSettingNotSavedIsGoneWhenThePowerIsTurnedOff_data() { addRows(settingsChangedAlone()); }
     void aSettingNotSavedIsGoneWhenThePowerIsTurnedOff();
-    void aSavedSettingIsThereAgain_data() { addRows(settings()); }
+    void aSavedSettingIsThereAgain_data() { addRows(settingsChangedAlone()); }
     void aSavedSettingIsThereAgain();
     void allFourBanksAreSaved();
     void aStoppedLaserThatWasSavedStaysStopped();
@@ -44,11 +34,11 @@ private Q_SLOTS:
     void communicationSettingsNeedAResetOrARestart();
     void theAddressNeedsAResetOrARestart();
 
-    void initializingABankTakesItsSettingsBack_data() { addRows(settings()); }
+    void initializingABankTakesItsSettingsBack_data() { addRows(settingsChangedAlone()); }
     void initializingABankTakesItsSettingsBack();
-    void initializingAllBanksTakesFourBanksBack_data() { addRows(settings()); }
+    void initializingAllBanksTakesFourBanksBack_data() { addRows(settingsChangedAlone()); }
     void initializingAllBanksTakesFourBanksBack();
-    void allAreasTakesBackAllButLanguageAndCommunication_data() { addRows(settings()); }
+    void allAreasTakesBackAllButLanguageAndCommunication_data() { addRows(settingsChangedAlone()); }
     void allAreasTakesBackAllButLanguageAndCommunication();
     void allAreasLeavesTheAddress();
     void initializationClearsTheTrigger_data();
