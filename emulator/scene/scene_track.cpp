@@ -81,8 +81,8 @@ Track trackOf(const SceneDescription& scene, const ShaftMotion& motion)
     PassingBy around(fullTurn * motion.revolutionsPerSecond);
     around.add(scene.workpieces[motion.workpiece]);
     Track track = around.track();
-    const qint64 periodNs = std::llround(nanosecondsPerSecond / motion.revolutionsPerSecond);
-    track.setSwing(motion.eccentricity, periodNs, quarterTurn);
+    // The turn's own period, to the nanosecond: the swing must not drift against the profile.
+    track.setSwing(motion.eccentricity, track.periodNs(), quarterTurn);
     return track;
 }
 

@@ -43,8 +43,7 @@ Meeting Track::at(qint64 timeNs) const
         const double turn = double(timeNs % m_swingPeriodNs) / double(m_swingPeriodNs);
         height += m_swingAmplitude * sineOfTurns(turn + m_swingPhase);
     }
-    // Rounding must not make a falling line end below nothing.
-    return {true, height, std::max(0.0, stretch.reflectance + stretch.reflectancePerNs * since)};
+    return {true, height, stretch.reflectance + stretch.reflectancePerNs * since};
 }
 
 } // namespace lds::emulator

@@ -23,6 +23,7 @@ public:
     void add(qint64 fromNs, qint64 toNs, const std::optional<Facet>& facet);
     /// The whole begins again after this time; 0: the last stretch goes on for ever.
     void setPeriod(qint64 periodNs) { m_periodNs = periodNs; }
+    qint64 periodNs() const { return m_periodNs; }
     /// Up and down around the stretches by amplitude * sin(2π (time / period + phase)); nm, ns,
     /// and a phase of 0 to below 1.
     void setSwing(double amplitude, qint64 periodNs, double phaseInTurns);

@@ -36,6 +36,7 @@ private Q_SLOTS:
     void shaftProfileClosesAroundTheCircle();
     void eccentricShaftSwingsOnceATurn();
     void eccentricSwingFollowsTheCosine();
+    void eccentricSwingKeepsStepWithTheProfile();
     void plateSwingsByItsAmplitude();
     void plateSwingsAtItsFrequency();
     void stillWorkpieceStaysWhereItsMeasuringPointIs();
@@ -214,6 +215,30 @@ void SceneMotionTest::eccentricSwingFollowsTheCosine()
         const qint64 timeNs = degree * 1000 * ms / 360;
         const double expected = 100.0 * mm * std::cos(2 * M_PI * double(timeNs) / 1e9);
         QVERIFY2(std::abs(double(distanceAt(scene, timeNs)) - expected) <= 1, QByteArray::number(degree));
+    }
+}
+
+void SceneMotionTest::eccentricSwingKeepsStepWithTheProfile()
+{
+    // Turns that no whole number of nanoseconds lasts; after years the side at 0° is still the one at 0°.
+    for (const QByteArray& speed : {"3"_ba, "7.3"_ba, "16.666667"_ba, "101.01"_ba}) {
+        const auto scene = sceneOf(
+            sceneJson(R"({"name": "key", "profile": [[0, 0], [10, 0], [10, 5], [20, 5], [20, 0]]})",
+                      R"({"kind": "shaft", "workpiece": "key", "eccentricity": 1, "revolutionsPerSecond": )" +
+                          speed + '}'));
+        QVERIFY(scene);
+        const qint64 turn = std::llround(1e9 / speed.toDouble());
+        for (const qint64 turns : {1LL, 1'000LL, 100'000'000LL}) {
+            // The key begins at 10° and ends at 20°, wherever in its turn the shaft is by now.
+            qint64 timeNs = turns * turn;
+            const auto onKey = [&](qint64 at) { return distanceAt(scene, at) > 3 * mm; };
+            while (onKey(timeNs))
+                timeNs += turn / 36;
+            while (!onKey(timeNs))
+                timeNs += turn / 3600;
+            QVERIFY(std::abs(double(distanceAt(scene, timeNs)) - mm * (5 + std::cos(10.05 / 180 * M_PI))) <
+                    0.001 * mm);
+        }
     }
 }
 
