@@ -13,10 +13,13 @@ class ManualClock final : public EmulatorClock {
 public:
     qint64 nowNs() const override { return m_nowNs; }
     TimerId after(int delayMs, QObject* owner, std::function<void()> callback) override;
+    TimerId at(qint64 timeNs, QObject* owner,
+               std::function<void()> callback) override; ///< To the nanosecond.
     void cancel(TimerId timer) override;
 
     /// Runs what falls due in order of its time, timers started meanwhile included.
-    void advanceMs(qint64 milliseconds);
+    void advanceMs(qint64 milliseconds) { advanceNs(milliseconds * 1'000'000); }
+    void advanceNs(qint64 nanoseconds);
     int pending() const { return int(m_timers.size()); }
 
 private:

@@ -1,7 +1,9 @@
 #include "workpiece.h"
 
+#include "noise.h"
+#include "sine.h"
+
 #include <cmath>
-#include <numbers>
 
 namespace lds::emulator {
 
@@ -10,18 +12,15 @@ namespace {
 constexpr double shareOfRange = 0.6;    ///< Of the measurement range, so that it is never left.
 constexpr double shareOfNoise = 0.0002; ///< Of the measurement range.
 constexpr double shareOfGloss = 0.13;   ///< By which the reflectance changes as it moves.
-constexpr double slowPeriodSeconds = 9.0;
-constexpr double quickPeriodSeconds = 1.7;
-constexpr double quickShare = 0.15;     ///< Of the amplitude; the slow movement has the rest.
-constexpr qint64 noiseStepNs = 100'000; ///< The shortest sampling cycle.
+constexpr qint64 slowPeriodMs = 9000;
+constexpr qint64 quickPeriodMs = 1700;
+constexpr double quickShare = 0.15; ///< Of the amplitude; the slow movement has the rest.
 
-/// SplitMix64: a well mixed number for every (seed, step), with no state to keep.
-quint64 mixed(quint64 number)
+/// Where a movement of this period is: 0 to below 1 turn.
+double turnsOf(qint64 timeNs, qint64 periodMs)
 {
-    number += 0x9e3779b97f4a7c15ULL;
-    number = (number ^ (number >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    number = (number ^ (number >> 27)) * 0x94d049bb133111ebULL;
-    return number ^ (number >> 31);
+    const qint64 periodNs = periodMs * 1'000'000;
+    return double(timeNs % periodNs) / double(periodNs);
 }
 
 } // namespace
@@ -34,11 +33,9 @@ Workpiece::Workpiece(const catalog::ModelDescription& model, quint64 seed)
 
 Sight Workpiece::at(qint64 timeNs) const
 {
-    const double angle = 2 * std::numbers::pi * double(timeNs) * 1e-9;
-    const double slow = std::sin(angle / slowPeriodSeconds);
-    const double quick = std::sin(angle / quickPeriodSeconds);
-    const quint64 random = mixed(m_seed ^ mixed(quint64(timeNs / noiseStepNs)));
-    const double noise = m_noise * (double(random >> 11) * 0x1p-52 - 1.0);
+    const double slow = sineOfTurns(turnsOf(timeNs, slowPeriodMs));
+    const double quick = sineOfTurns(turnsOf(timeNs, quickPeriodMs));
+    const double noise = m_noise * noiseShare(m_seed, timeNs);
     const double distance = m_amplitude * ((1 - quickShare) * slow + quickShare * quick) + noise;
     return {true, std::llround(distance), 1 + shareOfGloss * slow, 0};
 }
