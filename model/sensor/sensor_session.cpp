@@ -24,6 +24,10 @@ QString SensorSession::name() const
 {
     if (!d->name.isEmpty())
         return d->name;
+    if (d->url.protocol == ports::Protocol::ModbusRtu) {
+        const QString port = d->url.host.mid(d->url.host.lastIndexOf(u'/') + 1);
+        return QStringLiteral("%1 \u00b7 %2").arg(port).arg(d->url.unit);
+    }
     return d->url.port == 502 ? d->url.host : QStringLiteral("%1:%2").arg(d->url.host).arg(d->url.port);
 }
 
@@ -77,6 +81,17 @@ void SensorSession::retryNow()
         d->tryAgain();
     else if (d->rereadTimer != 0)
         d->readEverything();
+}
+
+void SensorSession::moveTo(const ports::ConnectionUrl& url)
+{
+    const Private::Turn turn(*d);
+    const bool wasOpen = d->connection != Connection::Closed;
+    d->close();
+    d->url = url;
+    d->announcer.add(Announcer::News::Identity);
+    if (wasOpen)
+        d->open();
 }
 
 Connection SensorSession::connection() const { return d->connection; }
@@ -208,6 +223,12 @@ bool SensorSession::isRunning() const { return d->running != nullptr; }
 Saved SensorSession::saved() const { return d->saved; }
 
 LeaseDesk& SensorSession::leases() { return d->desk; }
+
+bool SensorSession::ask(const Lease& lease, const ports::Request& request, QObject* context, Answer answer)
+{
+    const Private::Turn turn(*d);
+    return d->askFor(lease, request, context, std::move(answer));
+}
 
 const std::optional<measurement::Measurement>& SensorSession::latest() const { return d->latest; }
 

@@ -7,6 +7,7 @@
 #include "trend_store.h"
 #include "value_text.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <QObject>
@@ -38,7 +39,7 @@ public:
 
     // --- Who it is
     const ports::ConnectionUrl& url() const;
-    QString name() const; ///< What a person calls it; the address until named.
+    QString name() const; ///< What a person calls it; until named the address, over RS-485 port and unit.
     void setName(const QString& name);
     catalog::SensorModel model() const; ///< Stated in the URL, else the smallest type that fits.
     bool modelIsStated() const;
@@ -52,6 +53,9 @@ public:
     void open();
     void close();    ///< Pending edits stay.
     void retryNow(); ///< While Reconnecting: at once instead of at the next try.
+    /// The same sensor is reached elsewhere from now on: takes the URL and, unless Closed, connects there.
+    /// Pending edits, name, trend and what was held stay.
+    void moveTo(const ports::ConnectionUrl& url);
     Connection connection() const;
     /// The latest; says why a connection failed. While the next try is under way its state is Opening and
     /// the failure is still that of the last one.
@@ -102,6 +106,13 @@ public:
     bool isRunning() const; ///< A command is under way.
     Saved saved() const;
     LeaseDesk& leases();
+    using Answer = std::function<void(const ports::Outcome&)>;
+    /// One message of the procedure that holds `lease`; a write goes out once, whatever becomes of it. False
+    /// when the lease is not of this session, there is no Ready connection, or it is for viewing only and
+    /// this is a write; else `answer` runs exactly once, never inside this call, as Unknown and
+    /// ConnectionLost when the connection ends first; not at all once `context` has died. What is read is
+    /// held from then on; what the procedure has written is nobody else's change.
+    bool ask(const Lease& lease, const ports::Request& request, QObject* context, Answer answer);
 
     // --- Live
     const std::optional<measurement::Measurement>&

@@ -9,6 +9,8 @@
 #include "sensor_session.h"
 #include "settings_walk.h"
 
+#include <QMap>
+#include <QPointer>
 #include <QSet>
 #include <vector>
 
@@ -72,6 +74,8 @@ struct SensorSession::Private final : RunHost {
     bool canRun(ItemId item, Value value) const;
     bool apply();
     bool run(ItemId item, Value value);
+    bool askFor(const Lease& holder, const ports::Request& request, QObject* context, Answer answer);
+    void askEnded(quint64 number, const ports::Outcome& outcome);
     void applyEnded(const ApplyReport& report);
     void commandEnded(const CommandReport& report);
     void runEnded();
@@ -122,6 +126,14 @@ struct SensorSession::Private final : RunHost {
     Lease lease;
     std::unique_ptr<ApplyRun> applying;
     std::unique_ptr<CommandRun> running;
+    struct Asked { ///< By a procedure.
+        ports::Request request;
+        QPointer<QObject> context;
+        Answer answer;
+    };
+    QMap<quint64, Asked> asked; ///< Without an answer yet, in the order they were asked.
+    quint64 lastAsked = 0;
+    QList<ItemId> writtenByProcedure; ///< And not read since.
     Saved saved = Saved::Unknown;
 
     std::optional<measurement::Measurement> latest;

@@ -1,6 +1,7 @@
 #include "session_core.h"
 
 #include "catalog.h"
+#include "command_effects.h"
 
 #include <algorithm>
 
@@ -59,6 +60,38 @@ bool SensorSession::Private::run(ItemId item, Value value)
     return true;
 }
 
+bool SensorSession::Private::askFor(const Lease& holder, const ports::Request& request, QObject* context,
+                                    Answer answer)
+{
+    const bool isWrite = request.kind == ports::RequestKind::Write;
+    if (!desk.hasLent(holder) || connection != Connection::Ready || (isWrite && url.viewOnly))
+        return false;
+    if (isWrite)
+        voidReadings();
+    const quint64 number = ++lastAsked;
+    asked.insert(number, {request, context, std::move(answer)});
+    ask(request, client, [this, number](const ports::Outcome& outcome) { askEnded(number, outcome); });
+    return true;
+}
+
+void SensorSession::Private::askEnded(quint64 number, const ports::Outcome& outcome)
+{
+    const Asked ended = asked.take(number);
+    if (outcome.kind == ports::RequestKind::Read && outcome.status == ports::Status::Done)
+        learn(outcome.values, outcome.finishedNs, {});
+    if (outcome.kind == ports::RequestKind::Write && outcome.status != ports::Status::Refused) {
+        for (const settings::ItemValue& written : ended.request.write) {
+            writtenByProcedure.append(written.item);
+            const Saved after = command_effects::savedAfter(saved, written.item);
+            setSaved(outcome.status == ports::Status::Done || after == saved ? after : Saved::Unknown);
+        }
+    }
+    announcer.add([ended, outcome] {
+        if (ended.context)
+            ended.answer(outcome);
+    });
+}
+
 void SensorSession::Private::applyEnded(const ApplyReport& result)
 {
     retiredApplies.push_back(std::move(applying));
@@ -87,6 +120,12 @@ void SensorSession::Private::endRuns()
         applying->connectionGone();
     if (running)
         running->connectionGone();
+    while (!asked.isEmpty()) {
+        ports::Outcome outcome;
+        outcome.kind = asked.first().request.kind;
+        outcome.failure.code = ports::FailureCode::ConnectionLost;
+        askEnded(asked.firstKey(), outcome);
+    }
 }
 
 void SensorSession::Private::editReached(ItemId item, Value value)

@@ -123,6 +123,7 @@ public:
     /// An unheld Lease when somebody else has it.
     Lease acquire();
     bool isTaken() const { return m_state->taken; }
+    bool hasLent(const Lease& lease) const { return lease.m_desk == m_state; }
 
 private:
     std::shared_ptr<Lease::State> m_state;

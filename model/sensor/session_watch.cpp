@@ -79,8 +79,10 @@ QList<ItemId> SensorSession::Private::readableItems(bool walkOnly) const
 }
 
 HeldValues::Changes SensorSession::Private::learn(const settings::Values& values, qint64 atNs,
-                                                  const QList<ItemId>& own)
+                                                  const QList<ItemId>& ownOfRun)
 {
+    const QList<ItemId> own = ownOfRun + writtenByProcedure;
+    writtenByProcedure.removeIf([&values](ItemId item) { return values.contains(item); });
     const HeldValues::Changes changes = held.update(values, atNs > 0 ? atNs : scheduler.nowNs());
     if (changes.items.isEmpty())
         return changes;

@@ -4,6 +4,15 @@
 
 namespace lds::sensor {
 
+bool isSameSensor(const ports::ConnectionUrl& left, const ports::ConnectionUrl& right)
+{
+    if (left.protocol != right.protocol)
+        return false;
+    if (left.protocol == ports::Protocol::ModbusRtu)
+        return left.host == right.host && left.unit == right.unit;
+    return left.port == right.port && left.host.compare(right.host, Qt::CaseInsensitive) == 0;
+}
+
 Workspace::Workspace(ports::LinkFactory& links, ports::Scheduler& scheduler, QObject* parent)
     : QObject(parent)
     , m_links(links)
@@ -14,13 +23,7 @@ Workspace::~Workspace() = default;
 
 SensorSession* Workspace::add(const ports::ConnectionUrl& url, const QString& name)
 {
-    const auto same =
-        std::find_if(m_sessions.begin(), m_sessions.end(), [&url](const SensorSession* session) {
-            return session->url().protocol == url.protocol && session->url().port == url.port &&
-                   session->url().host.compare(url.host, Qt::CaseInsensitive) == 0;
-        });
-    if (same != m_sessions.end()) {
-        SensorSession* const session = *same;
+    if (SensorSession* const session = find(url)) {
         setCurrent(session);
         return session;
     }
@@ -49,6 +52,13 @@ void Workspace::remove(SensorSession* session)
 }
 
 const QList<SensorSession*>& Workspace::sessions() const { return m_sessions; }
+
+SensorSession* Workspace::find(const ports::ConnectionUrl& url) const
+{
+    const auto found = std::ranges::find_if(
+        m_sessions, [&url](const SensorSession* session) { return isSameSensor(session->url(), url); });
+    return found == m_sessions.end() ? nullptr : *found;
+}
 
 SensorSession* Workspace::current() const { return m_current; }
 

@@ -33,11 +33,41 @@ ports::LinkPointer FakeLinkFactory::create(const ports::ConnectionUrl& url)
 
 FakeSensor& FakeLinkFactory::sensor(const ports::ConnectionUrl& url) { return *find(url); }
 
+namespace {
+
+QString placeOf(const ports::ConnectionUrl& url)
+{
+    if (url.protocol == ports::Protocol::ModbusTcp)
+        return QStringLiteral("%1:%2").arg(url.host).arg(url.port);
+    return QStringLiteral("%1 %2 %3 %4")
+        .arg(url.host)
+        .arg(url.serial.baud)
+        .arg(int(url.serial.parity))
+        .arg(url.unit);
+}
+
+} // namespace
+
+FakeSensor& FakeLinkFactory::place(const ports::ConnectionUrl& url)
+{
+    FakeSensor& sensor = *find(url);
+    sensor.allowOpenings();
+    return sensor;
+}
+
+void FakeLinkFactory::move(const ports::ConnectionUrl& from, const ports::ConnectionUrl& to)
+{
+    m_sensors.insert(placeOf(to), m_sensors.take(placeOf(from)));
+}
+
 std::shared_ptr<FakeSensor> FakeLinkFactory::find(const ports::ConnectionUrl& url)
 {
-    auto& sensor = m_sensors[QStringLiteral("%1:%2").arg(url.host).arg(url.port)];
-    if (!sensor)
+    auto& sensor = m_sensors[placeOf(url)];
+    if (!sensor) {
         sensor = std::make_shared<FakeSensor>(url.sensor.value_or(catalog::SensorModel::HlG203));
+        if (url.protocol == ports::Protocol::ModbusRtu)
+            sensor->failOpenings(ports::OpenFailure::NoAnswer);
+    }
     return sensor;
 }
 

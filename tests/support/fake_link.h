@@ -33,8 +33,9 @@ private:
     bool m_viewOnly;
 };
 
-/// Makes links to fake sensors, one sensor for each host and port; sensors outlive their links, so that
-/// they can be prepared before a session opens and asked after it has closed.
+/// Makes links to fake sensors, one sensor for each host and port, over RS-485 for each port, settings and
+/// unit; sensors outlive their links, so that they can be prepared before a session opens and asked after
+/// it has closed. On a serial line nobody answers where no sensor has been placed.
 class FakeLinkFactory final : public ports::LinkFactory {
 public:
     explicit FakeLinkFactory(ports::Scheduler& scheduler)
@@ -45,6 +46,10 @@ public:
     /// The sensor behind that host and port, made when it is asked for first.
     FakeSensor& sensor(const ports::ConnectionUrl& url);
     int created() const { return m_created; }
+    /// Puts the sensor of one URL behind another; nobody answers at the former any more.
+    void move(const ports::ConnectionUrl& from, const ports::ConnectionUrl& to);
+    /// Makes somebody answer on a serial line.
+    FakeSensor& place(const ports::ConnectionUrl& url);
 
 private:
     std::shared_ptr<FakeSensor> find(const ports::ConnectionUrl& url);
