@@ -5,8 +5,9 @@
 #include "frame.h"
 #include "item_registers.h"
 #include "manual_scheduler.h"
+#include "modbus_link.h"
 #include "modbus_link_factory.h"
-#include "modbus_tcp_link.h"
+#include "tcp_connection.h"
 
 #include <algorithm>
 #include <atomic>
@@ -133,7 +134,8 @@ public:
     {
         auto scheduler = std::make_unique<ports::ManualScheduler>();
         m_clock = scheduler.get();
-        m_link = std::make_unique<modbus::ModbusTcpLink>(urlOf(port), std::move(scheduler), m_log);
+        m_link = std::make_unique<modbus::ModbusLink>(urlOf(port), std::move(scheduler), m_log,
+                                                      modbus::TcpConnection::maker());
         QObject::connect(
             m_link.get(), &ports::SensorLink::reported, m_link.get(),
             [this](const ports::LinkReport& report) { m_open = report.state == ports::LinkState::Open; });
@@ -170,7 +172,7 @@ private:
     QTimer m_heartbeat;
     CountingLog m_log;
     ports::ManualScheduler* m_clock = nullptr;
-    std::unique_ptr<modbus::ModbusTcpLink> m_link;
+    std::unique_ptr<modbus::ModbusLink> m_link;
     bool m_open = false;
     int m_polls = 0;
 };

@@ -1,5 +1,7 @@
 #include "link_fixture.h"
 
+#include "tcp_connection.h"
+
 #include <algorithm>
 #include <QCoreApplication>
 
@@ -23,7 +25,8 @@ LinkFixture::LinkFixture(bool viewOnly)
     url.viewOnly = viewOnly;
     auto scheduler = std::make_unique<ports::ManualScheduler>();
     clock = scheduler.get();
-    link = std::make_unique<modbus::ModbusTcpLink>(url, std::move(scheduler), log);
+    link =
+        std::make_unique<modbus::ModbusLink>(url, std::move(scheduler), log, modbus::TcpConnection::maker());
     QObject* const context = link.get();
     QObject::connect(link.get(), &ports::SensorLink::reported, context,
                      [this](const ports::LinkReport& report) { reports.append(report); });

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "manual_scheduler.h"
-#include "modbus_tcp_link.h"
+#include "modbus_link.h"
 #include "scripted_server.h"
 
 #include <QMutex>
@@ -38,7 +38,7 @@ public:
     ScriptedServer server;
     RecordingLog log;
     ports::ManualScheduler* clock = nullptr; ///< Owned by the link.
-    std::unique_ptr<modbus::ModbusTcpLink> link;
+    std::unique_ptr<modbus::ModbusLink> link;
 
     QList<ports::LinkReport> reports;
     QList<ports::Outcome> outcomes;

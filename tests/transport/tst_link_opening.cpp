@@ -1,4 +1,5 @@
 #include "link_fixture.h"
+#include "tcp_connection.h"
 
 #include <QSignalSpy>
 #include <QTcpServer>
@@ -139,7 +140,8 @@ void LinkOpeningTest::hostThatIsNone()
     ports::ConnectionUrl url;
     url.host = QString(64, QLatin1Char('x')); // No label of a name is that long: nobody need be asked.
     RecordingLog log;
-    modbus::ModbusTcpLink link(url, std::make_unique<ports::ManualScheduler>(), log);
+    modbus::ModbusLink link(url, std::make_unique<ports::ManualScheduler>(), log,
+                            modbus::TcpConnection::maker());
     QSignalSpy reported(&link, &ports::SensorLink::reported);
     link.open();
     QTRY_COMPARE(reported.size(), 2);
@@ -167,7 +169,7 @@ void LinkOpeningTest::hostThatNeverTakesTheConnection()
     auto scheduler = std::make_unique<ports::ManualScheduler>();
     ports::ManualScheduler* const clock = scheduler.get();
     RecordingLog log;
-    modbus::ModbusTcpLink link(url, std::move(scheduler), log);
+    modbus::ModbusLink link(url, std::move(scheduler), log, modbus::TcpConnection::maker());
     QList<ports::LinkReport> reports;
     connect(&link, &ports::SensorLink::reported, this, [&](const auto& report) { reports.append(report); });
     link.open();

@@ -1,7 +1,8 @@
 #include "modbus_link_factory.h"
 
-#include "modbus_tcp_link.h"
+#include "modbus_link.h"
 #include "qt_scheduler.h"
+#include "tcp_connection.h"
 
 namespace lds::modbus {
 
@@ -23,7 +24,8 @@ ModbusLinkFactory::~ModbusLinkFactory()
 
 ports::LinkPointer ModbusLinkFactory::create(const ports::ConnectionUrl& url)
 {
-    ports::LinkPointer link(new ModbusTcpLink(url, std::make_unique<ports::QtScheduler>(), m_log));
+    ports::LinkPointer link(
+        new ModbusLink(url, std::make_unique<ports::QtScheduler>(), m_log, TcpConnection::maker()));
     ++m_alive;
     QObject::connect(
         link.get(), &QObject::destroyed, link.get(), [this] { --m_alive; }, Qt::DirectConnection);

@@ -1,5 +1,8 @@
 #include "tcp_connection.h"
 
+#include "answer_failure.h"
+#include "modbus_tcp_framing.h"
+
 #include <QModbusReply>
 #include <QNetworkProxy>
 
@@ -28,40 +31,6 @@ OpenFailure openFailureOf(QAbstractSocket::SocketError error)
     }
 }
 
-FailureCode refusalOf(quint8 exceptionCode)
-{
-    switch (Exception(exceptionCode)) {
-    case Exception::FunctionCode:
-        return FailureCode::FunctionNotSupported;
-    case Exception::Address:
-        return FailureCode::AddressRefused;
-    case Exception::Data:
-        return FailureCode::ValueRefused;
-    case Exception::Other:
-        return FailureCode::NotReady;
-    }
-    return FailureCode::OtherRefusal;
-}
-
-QString wordOf(ResponseError error)
-{
-    switch (error) {
-    case ResponseError::Empty:
-        return QStringLiteral("short");
-    case ResponseError::Function:
-        return QStringLiteral("function");
-    case ResponseError::Length:
-        return QStringLiteral("length");
-    case ResponseError::Echo:
-        return QStringLiteral("echo");
-    case ResponseError::Refused:
-        break;
-    }
-    return QString();
-}
-
-Failure malformed(const QString& what) { return Failure{FailureCode::Malformed, 0, what}; }
-
 } // namespace
 
 TcpConnection::TcpConnection(const ports::ConnectionUrl& url, ports::Scheduler& scheduler,
@@ -71,7 +40,14 @@ TcpConnection::TcpConnection(const ports::ConnectionUrl& url, ports::Scheduler& 
     , m_recorder(recorder)
 {}
 
-TcpConnection::~TcpConnection() { close(); }
+TcpConnection::~TcpConnection() { TcpConnection::close(QStringLiteral("closed")); }
+
+ConnectionMaker TcpConnection::maker()
+{
+    return [](const ports::ConnectionUrl& url, ports::Scheduler& scheduler, FrameRecorder& recorder) {
+        return std::make_unique<TcpConnection>(url, scheduler, recorder);
+    };
+}
 
 void TcpConnection::open(int timeoutMs)
 {
@@ -108,13 +84,13 @@ void TcpConnection::close(const QString& reason)
     release(reason);
 }
 
-void TcpConnection::send(const Request& request, int timeoutMs, const Ended& ended)
+void TcpConnection::send(const Request& request, Turn, int timeoutMs, const Ended& ended)
 {
     Q_ASSERT(isOpen() && !isBusy());
     m_exchange = Pending{request, ended, m_nextTransaction, m_scheduler.nowNs(), 0};
     const QByteArray pdu = encodeRequest(request);
     const QModbusRequest raw(QModbusPdu::FunctionCode(request.function), pdu.sliced(1));
-    m_recorder.sent(request, m_nextTransaction);
+    m_recorder.sent(request, encodeFrame(m_nextTransaction, m_url.unit, pdu), headerSize);
     m_reply = m_client->sendRawRequest(raw, m_url.unit);
     if (!m_reply) {
         stamp();
@@ -261,7 +237,7 @@ void TcpConnection::drop(const QString& reason, const Failure& failure)
     release(reason);
     if (m_exchange)
         end(tl::unexpected(failure));
-    Q_EMIT lost(reason);
+    Q_EMIT lost(OpenFailure::Lost, reason);
 }
 
 void TcpConnection::release(const QString& reason)

@@ -1,17 +1,12 @@
 #pragma once
 
+#include "connection.h"
 #include "frame_reader.h"
-#include "frame_recorder.h"
-#include "modbus_pdu.h"
-#include "scheduler.h"
-#include "sensor_link.h"
 
-#include <functional>
 #include <optional>
 #include <QModbusTcpClient>
 #include <QPointer>
 #include <QTcpSocket>
-#include <tl/expected.hpp>
 
 namespace lds::modbus {
 
@@ -23,35 +18,23 @@ namespace lds::modbus {
 /// to the request *and* its bytes are one well-formed message that answers the request. When the stream
 /// cannot be trusted any more the connection is dropped and lost() says so.
 ///
-/// Everything happens in the thread that calls open().
-class TcpConnection final : public QObject {
+/// An answer that comes after its timeout is thrown away, whatever is under way then: the transaction
+/// number tells.
+class TcpConnection final : public Connection {
     Q_OBJECT
 
 public:
-    struct Exchange {
-        tl::expected<Response, ports::Failure> result;
-        qint64 endedNs = 0; ///< When the answer arrived, or when it was given up.
-        qint64 endedWallMs = 0;
-    };
-    using Ended = std::function<void(const Exchange&)>;
-
     TcpConnection(const ports::ConnectionUrl& url, ports::Scheduler& scheduler, FrameRecorder& recorder);
     ~TcpConnection() override; ///< Closes; no signal, no Ended.
 
-    void open(int timeoutMs); ///< Then opened() or failed(), once.
-    /// Silent: no signal, no Ended. Does nothing when closed. `reason` is for the frame log.
-    void close(const QString& reason = QStringLiteral("closed"));
-    bool isOpen() const { return m_state == State::Open; }
+    static ConnectionMaker maker();
 
-    /// When open and not busy. `ended` is called exactly once unless close() comes first. Nothing is ever
-    /// repeated. An answer that comes after `timeoutMs` is thrown away, whatever is under way then.
-    void send(const Request& request, int timeoutMs, const Ended& ended);
-    bool isBusy() const { return m_exchange.has_value(); }
-
-Q_SIGNALS:
-    void opened();
-    void failed(lds::ports::OpenFailure failure, const QString& detail);
-    void lost(const QString& detail); ///< Once, after opened(); the request under way has ended before.
+    void open(int timeoutMs) override;
+    void close(const QString& reason) override;
+    bool isOpen() const override { return m_state == State::Open; }
+    /// The turn means nothing: whatever waits, waits in the link.
+    void send(const Request& request, Turn turn, int timeoutMs, const Ended& ended) override;
+    bool isBusy() const override { return m_exchange.has_value(); }
 
 private:
     enum class State { Closed, Opening, Open };

@@ -10,8 +10,9 @@ namespace lds::modbus {
 
 /// Puts what one connection sends and receives into the frame log, with its meaning (ports::FrameMeaning).
 ///
-/// QModbus does not show what it sends: the 7-byte header of a sent message is rebuilt, and the frame says
-/// so. What is received was seen whole. Values are told as "key=value" in the units of the wire.
+/// What is received was seen whole. QModbus does not show what it sends: the bytes in front of a sent
+/// message's PDU may be rebuilt, and the frame then says so. Values are told as "key=value" in the units of
+/// the wire.
 class FrameRecorder {
 public:
     FrameRecorder(ports::FrameLog& log, const ports::Scheduler& clock, const ports::ConnectionUrl& url);
@@ -22,11 +23,13 @@ public:
     void connecting();
     void connected();
     void disconnected(const QString& reason);
-    void sent(const Request& request, quint16 transaction);
+    /// `bytes` as they go over the wire, of which so many in front are rebuilt.
+    void sent(const Request& request, const QByteArray& bytes, int reconstructedPrefix = 0);
     void answered(const Request& request, const Response& response, const QByteArray& bytes,
                   qint64 roundTripNs);
     void refused(const Request& request, quint8 exceptionCode, const QByteArray& bytes, qint64 roundTripNs);
-    /// `what` is a stable word: "short", "length", "function", "echo", "unit", "transaction", "header".
+    /// `what` is a stable word: "short", "length", "function", "echo", "unit", "transaction", "header",
+    /// and on a serial line "noise", "late", "trailing".
     void malformed(const QString& what, const QByteArray& bytes, qint64 roundTripNs = -1);
     void noAnswer(qint64 waitedNs);
 
@@ -38,9 +41,9 @@ private:
 
     ports::FrameLog& m_log;
     const ports::Scheduler& m_clock;
-    const quint8 m_unit;
     const QString m_host;
-    const quint16 m_port;
+    const QString m_port; ///< TCP port, or the settings of a serial line.
+    const QString m_protocol;
     const QString m_peer;
     bool m_lowWordFirst = true;
 };

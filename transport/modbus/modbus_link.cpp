@@ -1,4 +1,4 @@
-#include "modbus_tcp_link.h"
+#include "modbus_link.h"
 
 namespace lds::modbus {
 
@@ -48,38 +48,40 @@ OpenFailure openFailureOf(const Failure& failure)
 
 } // namespace
 
-ModbusTcpLink::ModbusTcpLink(const ports::ConnectionUrl& url, std::unique_ptr<ports::Scheduler> scheduler,
-                             ports::FrameLog& log, const Timing& timing)
+ModbusLink::ModbusLink(const ports::ConnectionUrl& url, std::unique_ptr<ports::Scheduler> scheduler,
+                       ports::FrameLog& log, ConnectionMaker maker, const Timing& timing)
     : m_url(url)
     , m_timing(timing)
+    , m_maker(std::move(maker))
     , m_scheduler(std::move(scheduler))
     , m_recorder(log, *m_scheduler, url)
     , m_ticker(*m_scheduler, this, [this](quint64 missed) { onTick(missed); })
 {}
 
-ModbusTcpLink::ModbusTcpLink(const ports::ConnectionUrl& url, std::unique_ptr<ports::Scheduler> scheduler,
-                             ports::FrameLog& log)
-    : ModbusTcpLink(url, std::move(scheduler), log, Timing())
+ModbusLink::ModbusLink(const ports::ConnectionUrl& url, std::unique_ptr<ports::Scheduler> scheduler,
+                       ports::FrameLog& log, ConnectionMaker maker)
+    : ModbusLink(url, std::move(scheduler), log, std::move(maker), Timing())
 {}
 
-ModbusTcpLink::~ModbusTcpLink() = default;
+ModbusLink::~ModbusLink() = default;
 
-bool ModbusTcpLink::reaches(catalog::ItemId item) const { return catalog::hlG2(item).modbus.has_value(); }
+bool ModbusLink::reaches(catalog::ItemId item) const { return catalog::hlG2(item).modbus.has_value(); }
 
 // --- Opening and closing
 
-void ModbusTcpLink::doOpen()
+void ModbusLink::doOpen()
 {
     if (m_report.state == LinkState::Opening || m_report.state == LinkState::Open)
         return;
     if (!m_connection) {
-        m_connection = std::make_unique<TcpConnection>(m_url, *m_scheduler, m_recorder);
-        connect(m_connection.get(), &TcpConnection::opened, this, &ModbusTcpLink::probe);
-        connect(m_connection.get(), &TcpConnection::failed, this, &ModbusTcpLink::fail);
-        connect(m_connection.get(), &TcpConnection::lost, this, [this](const QString& detail) {
-            if (m_report.state == LinkState::Open) // While opening, the probe's end has told already.
-                fail(OpenFailure::Lost, detail);
-        });
+        m_connection = m_maker(m_url, *m_scheduler, m_recorder);
+        connect(m_connection.get(), &Connection::opened, this, &ModbusLink::probe);
+        connect(m_connection.get(), &Connection::failed, this, &ModbusLink::fail);
+        connect(m_connection.get(), &Connection::lost, this,
+                [this](OpenFailure failure, const QString& detail) {
+                    if (m_report.state == LinkState::Open) // While opening, the probe's end has told already.
+                        fail(failure, detail);
+                });
     }
     m_statistics = {};
     m_queue.resetDroppedPolls();
@@ -90,13 +92,13 @@ void ModbusTcpLink::doOpen()
     m_connection->open(m_timing.connectMs);
 }
 
-void ModbusTcpLink::probe()
+void ModbusLink::probe()
 {
     const Request request = readRequest(packReads({catalog::ItemId::Span}).constFirst());
-    exchange(request, m_timing.probeMs, &ModbusTcpLink::onProbed);
+    exchange(request, Turn::Background, m_timing.probeMs, &ModbusLink::onProbed);
 }
 
-void ModbusTcpLink::onProbed(const Exchange& exchange)
+void ModbusLink::onProbed(const Exchange& exchange)
 {
     if (!exchange.result) {
         const Failure& failure = exchange.result.error();
@@ -123,13 +125,13 @@ void ModbusTcpLink::onProbed(const Exchange& exchange)
         m_ticker.start(m_wantedPollMs);
 }
 
-void ModbusTcpLink::fail(OpenFailure failure, const QString& detail)
+void ModbusLink::fail(OpenFailure failure, const QString& detail)
 {
     shutDown(LinkState::Failed, detail);
     report({LinkState::Failed, failure, detail, m_report.lowWordFirst});
 }
 
-void ModbusTcpLink::doClose()
+void ModbusLink::doClose()
 {
     if (m_report.state == LinkState::Closed)
         return;
@@ -139,7 +141,7 @@ void ModbusTcpLink::doClose()
 
 /// Ends the connection, the polling and every request. `state` stands before the first signal goes out,
 /// so that whoever hears one finds a link that takes nothing any more.
-void ModbusTcpLink::shutDown(LinkState state, const QString& reason)
+void ModbusLink::shutDown(LinkState state, const QString& reason)
 {
     m_report.state = state;
     m_ticker.stop();
@@ -156,7 +158,7 @@ void ModbusTcpLink::shutDown(LinkState state, const QString& reason)
         Q_EMIT finished({request.id, request.kind, Status::Unknown, {}, failure, nowNs});
 }
 
-void ModbusTcpLink::report(const ports::LinkReport& report)
+void ModbusLink::report(const ports::LinkReport& report)
 {
     m_report = report;
     Q_EMIT reported(report);
@@ -164,7 +166,7 @@ void ModbusTcpLink::report(const ports::LinkReport& report)
 
 // --- Requests
 
-void ModbusTcpLink::doSubmit(const ports::Request& request)
+void ModbusLink::doSubmit(const ports::Request& request)
 {
     if (request.kind == ports::RequestKind::Write && m_url.viewOnly) {
         finishRefused(request, Failure{FailureCode::ViewOnly, 0, QString()});
@@ -176,7 +178,7 @@ void ModbusTcpLink::doSubmit(const ports::Request& request)
     }
 }
 
-void ModbusTcpLink::pump()
+void ModbusLink::pump()
 {
     // A request may end without a message, and a connection may end with one: look again each time.
     while (m_report.state == LinkState::Open && m_connection->isOpen()) {
@@ -190,7 +192,7 @@ void ModbusTcpLink::pump()
     }
 }
 
-void ModbusTcpLink::begin(const ports::Request& request)
+void ModbusLink::begin(const ports::Request& request)
 {
     QList<Request> messages;
     Failure failure;
@@ -213,14 +215,14 @@ void ModbusTcpLink::begin(const ports::Request& request)
     sendMessage();
 }
 
-void ModbusTcpLink::sendMessage()
+void ModbusLink::sendMessage()
 {
-    const int wantedMs = m_active->request.timeoutMs;
-    exchange(m_active->messages.at(m_active->next), wantedMs > 0 ? wantedMs : m_timing.requestMs,
-             &ModbusTcpLink::onAnswered);
+    const ports::Request& request = m_active->request;
+    exchange(m_active->messages.at(m_active->next), turnOf(request.urgency),
+             request.timeoutMs > 0 ? request.timeoutMs : m_timing.requestMs, &ModbusLink::onAnswered);
 }
 
-void ModbusTcpLink::onAnswered(const Exchange& exchange)
+void ModbusLink::onAnswered(const Exchange& exchange)
 {
     const bool isRead = m_active->request.kind == ports::RequestKind::Read;
     if (!exchange.result) {
@@ -250,7 +252,7 @@ void ModbusTcpLink::onAnswered(const Exchange& exchange)
     pump();
 }
 
-void ModbusTcpLink::finish(Status status, const Failure& failure, qint64 finishedNs)
+void ModbusLink::finish(Status status, const Failure& failure, qint64 finishedNs)
 {
     const Active active = *std::exchange(m_active, std::nullopt);
     m_queue.finished();
@@ -258,13 +260,13 @@ void ModbusTcpLink::finish(Status status, const Failure& failure, qint64 finishe
     Q_EMIT finished({active.request.id, active.request.kind, status, values, failure, finishedNs});
 }
 
-void ModbusTcpLink::finishRefused(const ports::Request& request, const Failure& failure)
+void ModbusLink::finishRefused(const ports::Request& request, const Failure& failure)
 {
     Q_EMIT finished({request.id, request.kind, Status::Refused, {}, failure, m_scheduler->nowNs()});
 }
 
 /// Whether this was one timeout too many: then the connection has been given up.
-bool ModbusTcpLink::isLostInSilence(const Exchange& exchange)
+bool ModbusLink::isLostInSilence(const Exchange& exchange)
 {
     if (exchange.result || exchange.result.error().code != FailureCode::NoAnswer) {
         m_lastAnswerNs = exchange.endedNs;
@@ -279,7 +281,7 @@ bool ModbusTcpLink::isLostInSilence(const Exchange& exchange)
 
 // --- Polls
 
-void ModbusTcpLink::doPoll(int intervalMs)
+void ModbusLink::doPoll(int intervalMs)
 {
     if (m_report.state == LinkState::Opening) {
         m_wantedPollMs = intervalMs;
@@ -291,20 +293,20 @@ void ModbusTcpLink::doPoll(int intervalMs)
     }
 }
 
-void ModbusTcpLink::onTick(quint64 missed)
+void ModbusLink::onTick(quint64 missed)
 {
     m_queue.countDropped(missed);
     if (m_queue.addPoll())
         pump();
 }
 
-void ModbusTcpLink::sendPoll()
+void ModbusLink::sendPoll()
 {
     static const Request request = readRequest(measurementRange());
-    exchange(request, m_timing.requestMs, &ModbusTcpLink::onPolled);
+    exchange(request, Turn::Poll, m_timing.requestMs, &ModbusLink::onPolled);
 }
 
-void ModbusTcpLink::onPolled(const Exchange& exchange)
+void ModbusLink::onPolled(const Exchange& exchange)
 {
     m_queue.finished();
     if (exchange.result) {
@@ -330,13 +332,13 @@ void ModbusTcpLink::onPolled(const Exchange& exchange)
 }
 
 /// Says when polls begin to be refused, when the reason changes, and when they succeed again.
-void ModbusTcpLink::reportPoll(const Failure& failure)
+void ModbusLink::reportPoll(const Failure& failure)
 {
     if (std::exchange(m_pollRefusal, failure.code) != failure.code)
         Q_EMIT pollRefused(failure);
 }
 
-void ModbusTcpLink::flush()
+void ModbusLink::flush()
 {
     if (m_batch.isEmpty())
         return;
@@ -344,9 +346,9 @@ void ModbusTcpLink::flush()
     Q_EMIT measured(std::exchange(m_batch, {}), m_statistics);
 }
 
-void ModbusTcpLink::exchange(const Request& request, int timeoutMs, NextStep next)
+void ModbusLink::exchange(const Request& request, Turn turn, int timeoutMs, NextStep next)
 {
-    m_connection->send(request, timeoutMs,
+    m_connection->send(request, turn, timeoutMs,
                        [this, next](const Exchange& exchange) { (this->*next)(exchange); });
 }
 

@@ -1,25 +1,24 @@
 #pragma once
 
-#include "frame_recorder.h"
+#include "connection.h"
 #include "item_registers.h"
 #include "poll_ticker.h"
 #include "request_queue.h"
 #include "scheduler.h"
 #include "sensor_link.h"
-#include "tcp_connection.h"
 
 #include <memory>
 #include <optional>
 
 namespace lds::modbus {
 
-/// An HL-G2 over Modbus TCP (§5.2). See ports::SensorLink for the contract.
+/// An HL-G2 over Modbus, whatever carries it (§5.2, §6.3). See ports::SensorLink for the contract.
 ///
 /// Opening connects and reads Span, which proves the order of the words and that an HL-G2 answers. A read
 /// goes out again once when nothing or nonsense comes back; a write never does. A connection on which
 /// nothing has answered for Timing::silenceMs is given up, since TCP alone takes minutes to notice a
 /// pulled cable.
-class ModbusTcpLink final : public ports::SensorLink {
+class ModbusLink final : public ports::SensorLink {
     Q_OBJECT
 
 public:
@@ -31,11 +30,11 @@ public:
     };
 
     /// `scheduler` keeps the time of the thread the link will live in. `log` outlives the link.
-    ModbusTcpLink(const ports::ConnectionUrl& url, std::unique_ptr<ports::Scheduler> scheduler,
-                  ports::FrameLog& log, const Timing& timing);
-    ModbusTcpLink(const ports::ConnectionUrl& url, std::unique_ptr<ports::Scheduler> scheduler,
-                  ports::FrameLog& log);
-    ~ModbusTcpLink() override; ///< Closes without a signal.
+    ModbusLink(const ports::ConnectionUrl& url, std::unique_ptr<ports::Scheduler> scheduler,
+               ports::FrameLog& log, ConnectionMaker maker, const Timing& timing);
+    ModbusLink(const ports::ConnectionUrl& url, std::unique_ptr<ports::Scheduler> scheduler,
+               ports::FrameLog& log, ConnectionMaker maker);
+    ~ModbusLink() override; ///< Closes without a signal.
 
     bool reaches(catalog::ItemId item) const override;
 
@@ -46,8 +45,8 @@ protected:
     void doPoll(int intervalMs) override;
 
 private:
-    using Exchange = TcpConnection::Exchange;
-    using NextStep = void (ModbusTcpLink::*)(const Exchange&);
+    using Exchange = Connection::Exchange;
+    using NextStep = void (ModbusLink::*)(const Exchange&);
 
     /// The request that is under way; a read may take several messages.
     struct Active {
@@ -81,13 +80,14 @@ private:
     void reportPoll(const ports::Failure& failure);
     void flush();
 
-    void exchange(const Request& request, int timeoutMs, NextStep next);
+    void exchange(const Request& request, Turn turn, int timeoutMs, NextStep next);
 
     const ports::ConnectionUrl m_url;
     const Timing m_timing;
+    const ConnectionMaker m_maker;
     std::unique_ptr<ports::Scheduler> m_scheduler; ///< Before everything that uses it.
     FrameRecorder m_recorder;
-    std::unique_ptr<TcpConnection> m_connection; ///< Made when opening, in the link's thread.
+    std::unique_ptr<Connection> m_connection; ///< Made when opening, in the link's thread.
     scheduling::RequestQueue m_queue;
     scheduling::PollTicker m_ticker;
     ports::LinkReport m_report;

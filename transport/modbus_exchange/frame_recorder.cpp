@@ -1,7 +1,5 @@
 #include "frame_recorder.h"
 
-#include "modbus_tcp_framing.h"
-
 namespace lds::modbus {
 
 using ports::Direction;
@@ -11,11 +9,25 @@ namespace {
 
 QString peerOf(const ports::ConnectionUrl& url)
 {
-    ports::ConnectionUrl bare;
-    bare.protocol = url.protocol;
-    bare.host = url.host;
-    bare.port = url.port;
+    ports::ConnectionUrl bare = url;
+    bare.sensor.reset();
+    bare.viewOnly = false;
+    if (url.protocol == ports::Protocol::ModbusTcp)
+        bare.unit = ports::ConnectionUrl().unit;
     return bare.toString();
+}
+
+QString placeOf(const ports::ConnectionUrl& url)
+{
+    if (url.protocol == ports::Protocol::ModbusTcp)
+        return QString::number(url.port);
+    const char* const parity = url.serial.parity == ports::SerialParity::None   ? "none"
+                               : url.serial.parity == ports::SerialParity::Even ? "even"
+                                                                                : "odd";
+    return QStringLiteral("%1 bps, %2, %3")
+        .arg(url.serial.baud)
+        .arg(QLatin1StringView(parity))
+        .arg(url.serial.stopBits());
 }
 
 bool isWrite(const Request& request)
@@ -30,16 +42,14 @@ FrameRecorder::FrameRecorder(ports::FrameLog& log, const ports::Scheduler& clock
                              const ports::ConnectionUrl& url)
     : m_log(log)
     , m_clock(clock)
-    , m_unit(url.unit)
     , m_host(url.host)
-    , m_port(url.port)
+    , m_port(placeOf(url))
+    , m_protocol(url.protocol == ports::Protocol::ModbusTcp ? QStringLiteral("Modbus TCP")
+                                                            : QStringLiteral("Modbus RTU"))
     , m_peer(peerOf(url))
 {}
 
-void FrameRecorder::connecting()
-{
-    record(Direction::Sent, FrameMeaning::Connecting, {m_host, QString::number(m_port)});
-}
+void FrameRecorder::connecting() { record(Direction::Sent, FrameMeaning::Connecting, {m_host, m_port}); }
 
 void FrameRecorder::connected() { record(Direction::Received, FrameMeaning::Connected, {}); }
 
@@ -48,13 +58,13 @@ void FrameRecorder::disconnected(const QString& reason)
     record(Direction::Received, FrameMeaning::Disconnected, {reason});
 }
 
-void FrameRecorder::sent(const Request& request, quint16 transaction)
+void FrameRecorder::sent(const Request& request, const QByteArray& bytes, int reconstructedPrefix)
 {
     QStringList arguments = range(request);
     if (isWrite(request))
         arguments.append(values(request, request.registers));
-    record(Direction::Sent, isWrite(request) ? FrameMeaning::Write : FrameMeaning::Read, arguments,
-           encodeFrame(transaction, m_unit, encodeRequest(request)), -1, headerSize);
+    record(Direction::Sent, isWrite(request) ? FrameMeaning::Write : FrameMeaning::Read, arguments, bytes, -1,
+           reconstructedPrefix);
 }
 
 void FrameRecorder::answered(const Request& request, const Response& response, const QByteArray& bytes,
@@ -96,7 +106,7 @@ void FrameRecorder::record(Direction direction, FrameMeaning meaning, const QStr
     frame.bytes = bytes;
     frame.reconstructedPrefix = reconstructedPrefix;
     frame.roundTripNs = roundTripNs;
-    frame.protocol = QStringLiteral("Modbus TCP");
+    frame.protocol = m_protocol;
     frame.peer = m_peer;
     m_log.record(frame);
 }
