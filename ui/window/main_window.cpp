@@ -363,6 +363,15 @@ void MainWindow::showPage(Page page) { d->tabs->setCurrentIndex(int(page)); }
 
 void MainWindow::offerDemo() { d->actions->demo->setVisible(true); }
 
+void MainWindow::addDock(QDockWidget* dock)
+{
+    addDockWidget(Qt::RightDockWidgetArea, dock);
+    dock->hide();
+    restoreDockWidget(dock);
+    QMenu* view = d->actions->viewMenu(); // beside the other dock, before the themes
+    view->insertAction(view->actions().last(), dock->toggleViewAction());
+}
+
 void MainWindow::runOnCurrent(ItemId item, catalog::Value value) { d->desk->run(d->session, item, value); }
 
 void MainWindow::jumpTo(ItemId item)

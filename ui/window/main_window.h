@@ -6,6 +6,7 @@
 #include <memory>
 #include <QMainWindow>
 
+class QDockWidget;
 class QSettings;
 
 namespace lds::ui {
@@ -23,6 +24,8 @@ public:
     void showPage(Page page);
     /// Offers "Try with a virtual sensor"; demoRequested() follows when it is chosen.
     void offerDemo();
+    /// A dock of the program's own, to be found in the View menu; hidden unless it was left open.
+    void addDock(QDockWidget* dock);
     void openConnectDialog();
     void openReview();
 

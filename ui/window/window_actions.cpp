@@ -175,11 +175,11 @@ void WindowActions::buildMenus(QMenuBar* bar, QAction* dockToggle)
     commands->addMenu(tr("&Initialise"))->addActions(initializations->actions());
     commands->addAction(communicationReset);
 
-    QMenu* view = bar->addMenu(tr("&View"));
-    view->addActions(pages->actions());
-    view->addSeparator();
-    view->addAction(dockToggle);
-    view->addMenu(tr("T&heme"))->addActions(themes->actions());
+    m_viewMenu = bar->addMenu(tr("&View"));
+    m_viewMenu->addActions(pages->actions());
+    m_viewMenu->addSeparator();
+    m_viewMenu->addAction(dockToggle);
+    m_viewMenu->addMenu(tr("T&heme"))->addActions(themes->actions());
 
     bar->addMenu(tr("&Help"))->addAction(about);
 }

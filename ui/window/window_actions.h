@@ -50,6 +50,7 @@ public:
     QActionGroup* themes; ///< data(): ThemeMode
     QAction* about;
 
+    QMenu* viewMenu() const { return m_viewMenu; }
     QMenu* typeMenu() const { return m_typeMenu; }
 
 private:
@@ -60,6 +61,7 @@ private:
     void makeCommandActions();
     void makeViewActions();
 
+    QMenu* m_viewMenu = nullptr;
     QMenu* m_typeMenu = nullptr;
 };
 
