@@ -35,6 +35,7 @@ void declareOptions(QCommandLineParser& parser)
          u"FILE"_s},
         {u"control"_s, u"Take control lines from standard input; type help and Enter."_s},
         {u"control-socket"_s, u"Take control lines from a local socket."_s, u"NAME"_s},
+        {u"panel"_s, u"Show the front panel of the sensor, of --config the first one, in a window."_s},
         {u"list-scenes"_s, u"Print the example scenes and leave."_s},
     });
     for (const QString& name : laterOptions) {
@@ -166,6 +167,7 @@ tl::expected<EmulatorOptions, QString> parseCommandLine(const QStringList& argum
         return tl::unexpected(stations.error());
     options.stations = *stations;
     options.fromConfig = parser.isSet(u"config"_s);
+    options.panel = parser.isSet(u"panel"_s);
     options.control = parser.isSet(u"control"_s);
     if (options.control && !ControlInput::isPossible())
         return tl::unexpected(u"--control: not on this system; use --control-socket"_s);

@@ -15,6 +15,7 @@ struct EmulatorOptions {
     bool fromConfig = false; ///< The ready line then has a list of sensors.
     bool control = false;    ///< Take control lines from standard input.
     QString controlSocket;   ///< Take them from a local socket of this name too; empty: no.
+    bool panel = false;      ///< Show the front panel of the first sensor in a window.
     QString information;     ///< Text to print and leave with success: help, version, scenes.
 };
 

@@ -4,12 +4,14 @@
 #include "control_input.h"
 #include "control_socket.h"
 #include "emulator_options.h"
+#include "panel_window.h"
 #include "system_clock.h"
 #include "unix_signals.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <QCoreApplication>
+#include <QApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -77,6 +79,13 @@ public:
         return startControl();
     }
 
+    /// §2.2; needs a QApplication.
+    void showPanel()
+    {
+        m_panel = std::make_unique<app::PanelWindow>(*m_stations.front());
+        m_panel->show();
+    }
+
     QJsonObject readyLine() const
     {
         QJsonArray sensors;
@@ -132,16 +141,39 @@ private:
     const app::EmulatorOptions& m_options;
     emulator::SystemClock m_clock;
     std::vector<std::unique_ptr<SensorStation>> m_stations;
+    std::unique_ptr<app::PanelWindow> m_panel;
     std::unique_ptr<app::ControlDesk> m_desk;
     std::unique_ptr<app::ControlInput> m_input;
     std::unique_ptr<app::ControlSocket> m_socket;
 };
 
+bool hasDisplay()
+{
+#if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
+    return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
+           qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+#else
+    return true;
+#endif
+}
+
+/// With windows only where one is asked for and possible: else the emulator needs no display.
+std::unique_ptr<QCoreApplication> makeApplication(int& argc, char* argv[])
+{
+    const bool wantsWindow = std::any_of(
+        argv, argv + argc, [](const char* argument) { return QByteArrayView(argument) == "--panel"; });
+    if (!wantsWindow || !hasDisplay())
+        return std::make_unique<QCoreApplication>(argc, argv);
+    auto application = std::make_unique<QApplication>(argc, argv);
+    QGuiApplication::setQuitOnLastWindowClosed(false); // the sensor stays until a signal
+    return application;
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
 {
-    QCoreApplication application(argc, argv);
+    const auto application = makeApplication(argc, argv);
     const auto options = app::parseCommandLine(QCoreApplication::arguments());
     if (!options)
         return fail(options.error(), WrongUsage);
@@ -150,10 +182,15 @@ int main(int argc, char* argv[])
         return Done;
     }
 
+    if (options->panel && !qobject_cast<QApplication*>(application.get()))
+        return fail(u"--panel: there is no display to show it on"_s, CannotServe);
+
     const app::UnixSignals signalsToQuit([] { QCoreApplication::quit(); });
     Emulator emulator(*options);
     if (const ExitCode started = emulator.start(); started != Done)
         return started;
+    if (options->panel)
+        emulator.showPanel();
     print(stdout, QJsonDocument(emulator.readyLine()).toJson(QJsonDocument::Compact) + '\n');
     return QCoreApplication::exec();
 }

@@ -177,6 +177,19 @@ bool FrontPanel::isOnTop(const PanelScreen* screen) const { return m_screens.bac
 
 void FrontPanel::changed() { update(); }
 
+void FrontPanel::leave()
+{
+    m_gestures.swallow();
+    if (m_sensor.teaching().isExecuting() && m_sensor.teaching().operatedBy() == Operator::Keys)
+        m_sensor.interruptTeaching();
+    if (m_sensor.tuning().isExecuting() && m_sensor.tuning().operatedBy() == Operator::Keys)
+        m_sensor.interruptTuning();
+    closeAll();
+    update();
+}
+
+void FrontPanel::tell() { Q_EMIT contentChanged(m_content); }
+
 // Power
 
 void FrontPanel::powerOn()

@@ -43,6 +43,10 @@ public Q_SLOTS:
     void keyReleased(lds::emulator::Key key);
     /// The power has just come on: the start-up screen. Called by itself after a power cycle of the sensor.
     void powerOn();
+    /// Breaks off whatever is being done and shows the measurement display, for who goes away from the keys.
+    void leave();
+    /// Tells its content again, for who has just begun to listen.
+    void tell();
 
 Q_SIGNALS:
     void contentChanged(const lds::emulator::DisplayContent& content);

@@ -46,6 +46,7 @@ public:
     static Started start(const StationOptions& options, EmulatorClock& clock); ///< Both.
 
     VirtualSensor& sensor() { return m_sensor; }
+    EmulatorClock& clock() { return m_sensorClock; } ///< The sensor's time.
     ScenePlayer& player() { return m_player; }
     FaultDesk& faults() { return m_faults; }
     ModbusTcpServer& modbusServer() { return m_modbusServer; }

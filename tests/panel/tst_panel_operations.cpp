@@ -337,6 +337,19 @@ private Q_SLOTS:
         QVERIFY(m_sensor->isReady());
     }
 
+    void leaving_the_keys_ends_what_was_being_done()
+    {
+        QVERIFY(openMenu(31));
+        m_panel->leave();
+        QCOMPARE(shown().screen, ScreenKind::Measurement);
+        QVERIFY(m_sensor->isReady());
+        holdLong(Key::Up);
+        QVERIFY(m_sensor->teaching().isExecuting());
+        m_panel->leave();
+        QVERIFY(!m_sensor->teaching().isExecuting());
+        QVERIFY(m_sensor->isReady());
+    }
+
     void what_is_seen_is_told_once_for_each_change()
     {
         QList<DisplayContent> told;
