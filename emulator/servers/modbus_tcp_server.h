@@ -3,6 +3,7 @@
 #include "emulator_clock.h"
 #include "modbus_responder.h"
 #include "server_faults.h"
+#include "standing_faults.h"
 
 #include <QHash>
 #include <QHostAddress>
@@ -17,18 +18,9 @@ namespace lds::emulator {
 
 class ModbusConnection;
 
-/// What goes wrong with every answer for as long as it is set.
-struct StandingFaults {
-    int answerDelayMs = 0;           ///< Answers come so much later.
-    bool answersLost = false;        ///< Requests are carried out and not answered.
-    bool answersCut = false;         ///< The last two bytes of each answer never come.
-    bool connectionsDropped = false; ///< Connections end, and new ones at once.
-    bool operator==(const StandingFaults&) const = default;
-};
-
 /// One TCP port of a virtual sensor: the Modbus port and the tool port behave alike (§5.2.1). Lives in the
 /// sensor's thread.
-class ModbusTcpServer : public QObject {
+class ModbusTcpServer : public QObject, public FaultyServer {
     Q_OBJECT
 
 public:
@@ -61,7 +53,7 @@ public:
     /// Runs before each request is carried out.
     void setBefore(std::function<void()> before) { m_before = std::move(before); }
     void setSilent(bool silent) { m_silent = silent; } ///< Takes requests and does nothing with them.
-    void setStandingFaults(const StandingFaults& faults);
+    void setStandingFaults(const StandingFaults& faults) override;
     void closeAllConnections();
     /// Takes no more requests; each connection ends when its answers under way have gone out.
     void closeAllAfterAnswers();

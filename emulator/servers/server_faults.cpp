@@ -4,16 +4,6 @@
 
 namespace lds::emulator {
 
-namespace {
-
-bool isWrite(quint8 functionCode)
-{
-    return functionCode == quint8(modbus::Function::WriteSingleRegister) ||
-           functionCode == quint8(modbus::Function::WriteMultipleRegisters);
-}
-
-} // namespace
-
 void ServerFaults::add(Fault fault, FaultOn on, int times)
 {
     for (int i = 0; i < times; ++i)
@@ -24,7 +14,7 @@ std::optional<Fault> ServerFaults::take(quint8 functionCode)
 {
     for (qsizetype i = 0; i < m_waiting.size(); ++i) {
         const FaultOn on = m_waiting.at(i).on;
-        if (on == FaultOn::AnyRequest || (on == FaultOn::Writes) == isWrite(functionCode))
+        if (on == FaultOn::AnyRequest || (on == FaultOn::Writes) == modbus::isWrite(functionCode))
             return m_waiting.takeAt(i).fault;
     }
     return std::nullopt;

@@ -8,12 +8,18 @@ namespace lds::emulator {
 
 /// Ways in which an answer goes wrong on purpose.
 enum class Fault : quint8 {
-    IgnoreRequest,       ///< Neither carried out nor answered.
-    DropAnswer,          ///< Carried out, not answered.
-    CutAnswer,           ///< Carried out; the last two bytes of the answer never come.
+    IgnoreRequest, ///< Neither carried out nor answered.
+    DropAnswer,    ///< Carried out, not answered.
+    CutAnswer,     ///< Carried out; the last two bytes of the answer never come.
+    // Over TCP only.
     WrongTransaction,    ///< Carried out; answered under another transaction identifier.
     CloseBeforeCarryOut, ///< The connection ends instead.
     CloseAfterCarryOut,  ///< Carried out; the connection ends instead of an answer.
+    // On a serial line only.
+    FlipBit,     ///< Carried out; one bit in the middle of the answer is another.
+    LoseByte,    ///< Carried out; a byte in the middle of the answer never comes.
+    NoiseBefore, ///< Carried out; three stray bytes come right before the answer.
+    OtherUnit,   ///< Carried out; the answer, without a fault, comes from another unit.
 };
 
 enum class FaultOn : quint8 { AnyRequest, Reads, Writes };

@@ -16,6 +16,13 @@ enum class Function : quint8 {
     WriteMultipleRegisters = 0x10,
 };
 
+/// Whether a request with this function code changes something.
+constexpr bool isWrite(quint8 functionCode)
+{
+    return functionCode == quint8(Function::WriteSingleRegister) ||
+           functionCode == quint8(Function::WriteMultipleRegisters);
+}
+
 /// Error codes of §5.2.2.
 enum class Exception : quint8 {
     FunctionCode = 0x01,
