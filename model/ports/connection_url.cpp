@@ -1,6 +1,7 @@
 #include "connection_url.h"
 
 #include "catalog.h"
+#include "serial_choices.h"
 
 #include <QStringList>
 #include <QUrl>
@@ -14,7 +15,7 @@ namespace {
 using catalog::Catalog;
 
 constexpr QLatin1StringView modbusTcpScheme("modbus-tcp");
-constexpr quint16 defaultModbusPort = 502;
+constexpr QLatin1StringView modbusRtuScheme("modbus-rtu");
 constexpr quint8 defaultUnit = 1;
 
 using Parsed = tl::expected<void, UrlError>;
@@ -104,10 +105,57 @@ Parsed parseAuthority(QStringView text, ConnectionUrl& url)
 Parsed parseUnit(QStringView text, ConnectionUrl& url)
 {
     const std::optional<int> unit = parseNumber(text);
-    if (!unit || *unit > 255)
+    if (url.protocol == Protocol::ModbusRtu) { // 0 is the broadcast that nobody answers; the rest reserved
+        const catalog::Limits& limits =
+            catalog::hlG2(catalog::ItemId::DeviceAddress).limitsFor(catalog::SensorModel::HlG203);
+        if (!unit || *unit < limits.minimum || *unit > limits.maximum)
+            return wrong("unit", text, "a number from 1 to 247");
+    } else if (!unit || *unit > 255) {
         return wrong("unit", text, "a number from 0 to 255");
+    }
     url.unit = quint8(*unit);
     return {};
+}
+
+Parsed parseBaud(QStringView text, ConnectionUrl& url)
+{
+    constexpr qsizetype mostDigits = 6;
+    const bool isNumber =
+        !text.isEmpty() && text.size() <= mostDigits && std::all_of(text.begin(), text.end(), isAsciiDigit);
+    const int baud = isNumber ? text.toInt() : 0;
+    if (!speedCode(baud)) {
+        QStringList speeds;
+        for (const int speed : serialSpeeds())
+            speeds << QString::number(speed);
+        return tl::unexpected(UrlError{QStringLiteral("baud"), text.toString(),
+                                       QStringLiteral("one of ") + speeds.join(QStringLiteral(", "))});
+    }
+    url.serial.baud = baud;
+    return {};
+}
+
+constexpr struct {
+    SerialParity parity;
+    QLatin1StringView word;
+} parityWords[] = {{SerialParity::None, QLatin1StringView("none")},
+                   {SerialParity::Even, QLatin1StringView("even")},
+                   {SerialParity::Odd, QLatin1StringView("odd")}};
+
+QLatin1StringView wordOf(SerialParity parity)
+{
+    return std::ranges::find_if(parityWords, [parity](const auto& entry) { return entry.parity == parity; })
+        ->word;
+}
+
+Parsed parseParity(QStringView text, ConnectionUrl& url)
+{
+    for (const auto& [parity, word] : parityWords) {
+        if (text == word) {
+            url.serial.parity = parity;
+            return {};
+        }
+    }
+    return wrong("parity", text, "none, even or odd");
 }
 
 Parsed parseSensor(QStringView text, ConnectionUrl& url)
@@ -132,45 +180,133 @@ Parsed parseView(QStringView text, ConnectionUrl& url)
     return {};
 }
 
-Parsed parseParameter(QStringView text, QStringList& seen, ConnectionUrl& url)
+struct Parameter {
+    QStringView name;
+    QString value;
+};
+
+Parameter splitParameter(QStringView text)
 {
     const qsizetype equals = text.indexOf(u'=');
-    const QStringView name = equals < 0 ? text : text.first(equals);
-    const QString value =
-        equals < 0 ? QString() : QUrl::fromPercentEncoding(text.sliced(equals + 1).toUtf8());
-    if (seen.contains(name))
-        return wrong("parameter", name, "each parameter once");
-    seen << name.toString();
+    if (equals < 0)
+        return {text, {}};
+    return {text.first(equals), QUrl::fromPercentEncoding(text.sliced(equals + 1).toUtf8())};
+}
+
+Parsed parseParameter(const Parameter& parameter, ConnectionUrl& url)
+{
+    const auto& [name, value] = parameter;
     if (name == u"sensor")
         return parseSensor(value, url);
     if (name == u"unit")
         return parseUnit(value, url);
     if (name == u"view")
         return parseView(value, url);
-    return wrong("parameter", name, "sensor, unit or view");
+    if (url.protocol == Protocol::ModbusTcp)
+        return wrong("parameter", name, "sensor, unit or view");
+    if (name == u"baud")
+        return parseBaud(value, url);
+    if (name == u"parity")
+        return parseParity(value, url);
+    if (name == u"stop")
+        return {}; // judged when the parity is known
+    return wrong("parameter", name, "baud, parity, stop, unit, sensor or view");
+}
+
+/// The parity decides the stop bits (§6.2), wherever it stands in the text.
+Parsed checkStop(const QString& text, const SerialSettings& serial)
+{
+    if (text == QString::number(serial.stopBits()))
+        return {};
+    return wrong("stop", text,
+                 serial.parity == SerialParity::None ? "2: without parity the sensor uses two stop bits"
+                                                     : "1: with a parity the sensor uses one stop bit");
 }
 
 Parsed parseParameters(QStringView text, ConnectionUrl& url)
 {
     QStringList seen;
-    for (const QStringView parameter : text.split(u'&')) {
-        if (const Parsed parsed = parseParameter(parameter, seen, url); !parsed)
+    std::optional<QString> stop;
+    for (const QStringView part : text.split(u'&')) {
+        const Parameter parameter = splitParameter(part);
+        if (seen.contains(parameter.name))
+            return wrong("parameter", parameter.name, "each parameter once");
+        seen << parameter.name.toString();
+        if (const Parsed parsed = parseParameter(parameter, url); !parsed)
             return parsed;
+        if (parameter.name == u"stop")
+            stop = parameter.value;
     }
+    return stop ? checkStop(*stop, url.serial) : Parsed();
+}
+
+/// As it is opened. What separates the parts of a URL is percent-encoded when it stands in a name.
+Parsed parseSerialPort(QStringView text, ConnectionUrl& url)
+{
+    constexpr const char* expected = "the name of a serial port, such as /dev/ttyUSB0 or COM3";
+    const QString name = QUrl::fromPercentEncoding(text.toUtf8());
+    const bool isPrintable = std::all_of(
+        name.begin(), name.end(), [](QChar c) { return c.isPrint() && c != QChar::ReplacementCharacter; });
+    // "//host" is what a TCP URL has there.
+    if (name.isEmpty() || !isPrintable || name.trimmed() != name ||
+        name.startsWith(QLatin1StringView("//")) || name.endsWith(u'/'))
+        return wrong("host", text, expected);
+    url.host = name;
     return {};
+}
+
+QString encodedSerialPort(const QString& name)
+{
+    return QString::fromLatin1(QUrl::toPercentEncoding(name, "/:\\()+,;!$'*@"));
+}
+
+Parsed parseTcp(QStringView rest, ConnectionUrl& url)
+{
+    if (const qsizetype slash = rest.indexOf(u'/'); slash >= 0) {
+        if (rest.size() > slash + 1)
+            return wrong("path", rest.sliced(slash), "no path after the port");
+        rest = rest.first(slash);
+    }
+    return parseAuthority(rest, url);
+}
+
+/// The protocol and what stands behind its scheme.
+tl::expected<std::pair<Protocol, QStringView>, UrlError> splitScheme(QStringView whole)
+{
+    constexpr const char* expected = "modbus-tcp://HOST[:PORT] or modbus-rtu:PORT";
+    const qsizetype colon = whole.indexOf(u':');
+    if (colon < 0)
+        return wrong("scheme", whole, expected);
+    const QStringView scheme = whole.first(colon);
+    const QStringView rest = whole.sliced(colon + 1);
+    if (scheme.compare(modbusRtuScheme, Qt::CaseInsensitive) == 0)
+        return std::pair(Protocol::ModbusRtu, rest);
+    if (!rest.startsWith(QLatin1StringView("//")))
+        return wrong("scheme", whole, expected);
+    if (scheme.compare(modbusTcpScheme, Qt::CaseInsensitive) != 0)
+        return wrong("scheme", scheme, "modbus-tcp or modbus-rtu");
+    return std::pair(Protocol::ModbusTcp, rest.sliced(2));
 }
 
 } // namespace
 
 QString ConnectionUrl::toString() const
 {
-    const QString shownHost = host.contains(u':') ? u'[' + host + u']' : host;
-    QString text = QStringLiteral("%1://%2:%3").arg(modbusTcpScheme, shownHost).arg(port);
+    QString text;
     QStringList parameters;
+    if (protocol == Protocol::ModbusRtu) {
+        text = modbusRtuScheme + u':' + encodedSerialPort(host);
+        parameters << QStringLiteral("baud=%1").arg(serial.baud)
+                   << QStringLiteral("parity=%1").arg(wordOf(serial.parity))
+                   << QStringLiteral("stop=%1").arg(serial.stopBits()) << QStringLiteral("unit=%1").arg(unit);
+    } else {
+        const QString shownHost = host.contains(u':') ? u'[' + host + u']' : host;
+        text = QStringLiteral("%1://%2:%3").arg(modbusTcpScheme, shownHost).arg(port);
+    }
     if (sensor)
         parameters << QStringLiteral("sensor=") +
                           QString::fromLatin1(Catalog::hlG2().model(*sensor).typeName);
-    if (unit != defaultUnit)
+    if (protocol == Protocol::ModbusTcp && unit != defaultUnit)
         parameters << QStringLiteral("unit=%1").arg(unit);
     if (viewOnly)
         parameters << QStringLiteral("view=only");
@@ -179,34 +315,41 @@ QString ConnectionUrl::toString() const
     return text;
 }
 
+QString ConnectionUrl::place() const
+{
+    return protocol == Protocol::ModbusTcp ? QStringLiteral("%1:%2").arg(host).arg(port)
+                                           : QStringLiteral("%1, unit %2").arg(host).arg(unit);
+}
+
+ConnectionUrl ConnectionUrl::peer() const
+{
+    ConnectionUrl bare = *this;
+    bare.sensor.reset();
+    bare.viewOnly = false;
+    if (protocol == Protocol::ModbusTcp)
+        bare.unit = defaultUnit;
+    return bare;
+}
+
 tl::expected<ConnectionUrl, UrlError> parseConnectionUrl(const QString& text)
 {
     const QString trimmed = text.trimmed();
-    const QStringView whole(trimmed);
-    const qsizetype schemeEnd = whole.indexOf(QLatin1StringView("://"));
-    if (schemeEnd < 0)
-        return wrong("scheme", whole, "modbus-tcp://HOST[:PORT]");
-    const QStringView scheme = whole.first(schemeEnd);
-    if (scheme.compare(modbusTcpScheme, Qt::CaseInsensitive) != 0)
-        return wrong("scheme", scheme, "modbus-tcp");
-
-    QStringView rest = whole.sliced(schemeEnd + 3);
+    const auto split = splitScheme(trimmed);
+    if (!split)
+        return tl::unexpected(split.error());
+    ConnectionUrl url;
+    url.protocol = split->first;
+    QStringView rest = split->second;
     if (const qsizetype hash = rest.indexOf(u'#'); hash >= 0)
         return wrong("fragment", rest.sliced(hash), "nothing after the parameters");
-
-    ConnectionUrl url;
-    url.port = defaultModbusPort;
     if (const qsizetype question = rest.indexOf(u'?'); question >= 0) {
         if (const Parsed parsed = parseParameters(rest.sliced(question + 1), url); !parsed)
             return tl::unexpected(parsed.error());
         rest = rest.first(question);
     }
-    if (const qsizetype slash = rest.indexOf(u'/'); slash >= 0) {
-        if (rest.size() > slash + 1)
-            return wrong("path", rest.sliced(slash), "no path after the port");
-        rest = rest.first(slash);
-    }
-    if (const Parsed parsed = parseAuthority(rest, url); !parsed)
+    const Parsed parsed =
+        url.protocol == Protocol::ModbusRtu ? parseSerialPort(rest, url) : parseTcp(rest, url);
+    if (!parsed)
         return tl::unexpected(parsed.error());
     return url;
 }

@@ -24,7 +24,13 @@ struct ConnectionUrl {
     bool viewOnly = false;                      ///< Never writes.
     std::optional<catalog::SensorModel> sensor; ///< What the person says it is; Modbus does not tell.
 
-    QString toString() const; ///< Canonical; defaults are left out, except the port.
+    /// Canonical. TCP: defaults are left out, except the port. RTU: speed, parity, stop bits and unit are
+    /// always named.
+    QString toString() const;
+    /// Where it is, for sentences: "192.168.1.6:502"; "/dev/ttyUSB0, unit 3".
+    QString place() const;
+    /// What tells one sensor from another: without the type and without "view only".
+    ConnectionUrl peer() const;
     friend bool operator==(const ConnectionUrl&, const ConnectionUrl&) = default;
 };
 

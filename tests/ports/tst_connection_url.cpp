@@ -1,5 +1,7 @@
 #include "connection_url.h"
 
+#include "serial_choices.h"
+
 #include <QtTest>
 
 #include <random>
@@ -19,6 +21,7 @@ private Q_SLOTS:
     void anErrorNamesThePartAtFault();
     void whatIsWrittenIsReadBack();
     void garbageIsNeverAccepted();
+    void aPlaceSaysWhereTheSensorIs();
 };
 
 void ConnectionUrlTest::textBecomesTheCanonicalText_data()
@@ -43,6 +46,21 @@ void ConnectionUrlTest::textBecomesTheCanonicalText_data()
     row("default unit is left out", "modbus-tcp://a:1?unit=1", "modbus-tcp://a:1");
     row("percent-encoded", "modbus-tcp://a:1?sensor=HL%2DG225B-S-MK",
         "modbus-tcp://a:1?sensor=HL-G225B-S-MK");
+    row("§6.2 a serial port has the settings as delivered", "modbus-rtu:/dev/ttyUSB0",
+        "modbus-rtu:/dev/ttyUSB0?baud=38400&parity=even&stop=1&unit=1");
+    row("COM port", "modbus-rtu:COM3?unit=247", "modbus-rtu:COM3?baud=38400&parity=even&stop=1&unit=247");
+    row("no parity makes two stop bits", "modbus-rtu:/dev/ttyS0?parity=none&baud=9600",
+        "modbus-rtu:/dev/ttyS0?baud=9600&parity=none&stop=2&unit=1");
+    row("stop before parity", "Modbus-RTU:/dev/ttyS0?stop=2&parity=none",
+        "modbus-rtu:/dev/ttyS0?baud=38400&parity=none&stop=2&unit=1");
+    row("RTU, all parameters",
+        "modbus-rtu:/dev/pts/7?view=only&sensor=HL-G203B-S-MK&unit=16&stop=1&parity=odd&baud=230400",
+        "modbus-rtu:/dev/pts/7?baud=230400&parity=odd&stop=1&unit=16&sensor=HL-G203B-S-MK&view=only");
+    row("port name with signs of a URL", "modbus-rtu:/dev/a%3Fb%23c%25%26d",
+        "modbus-rtu:/dev/a%3Fb%23c%25%26d?baud=38400&parity=even&stop=1&unit=1");
+    row("port name with a colon", "modbus-rtu:/dev/serial/by-path/pci-0000:00:14.0-usb-0:2:1.0-port0",
+        "modbus-rtu:/dev/serial/by-path/pci-0000:00:14.0-usb-0:2:1.0-port0"
+        "?baud=38400&parity=even&stop=1&unit=1");
 }
 
 void ConnectionUrlTest::textBecomesTheCanonicalText()
@@ -122,6 +140,25 @@ void ConnectionUrlTest::anErrorNamesThePartAtFault_data()
     row("parameters are written in lower case", "modbus-tcp://a?Unit=1", "parameter", "Unit");
     row("twice", "modbus-tcp://a?unit=1&unit=2", "parameter", "unit");
     row("empty parameter", "modbus-tcp://a?", "parameter", "");
+    row("TCP has no speed", "modbus-tcp://a?baud=9600", "parameter", "baud");
+    row("RTU without a port", "modbus-rtu:", "host", "");
+    row("RTU with a host", "modbus-rtu://192.168.1.6", "host", "//192.168.1.6");
+    row("RTU with a folder", "modbus-rtu:/dev/", "host", "/dev/");
+    row("RTU with a space in front", "modbus-rtu: COM3", "host", " COM3");
+    row("RTU with a control character", "modbus-rtu:COM3%00", "host", "COM3%00");
+    row("a speed the sensor lacks", "modbus-rtu:COM3?baud=57600", "baud", "57600");
+    row("a speed with a sign", "modbus-rtu:COM3?baud=+9600", "baud", "+9600");
+    row("no speed", "modbus-rtu:COM3?baud=", "baud", "");
+    row("a parity the sensor lacks", "modbus-rtu:COM3?parity=mark", "parity", "mark");
+    row("two stop bits with a parity", "modbus-rtu:COM3?parity=odd&stop=2", "stop", "2");
+    row("two stop bits with the parity as delivered", "modbus-rtu:COM3?stop=2", "stop", "2");
+    row("one stop bit without parity", "modbus-rtu:COM3?stop=1&parity=none", "stop", "1");
+    row("no stop bits", "modbus-rtu:COM3?stop=", "stop", "");
+    row("broadcast is no sensor", "modbus-rtu:COM3?unit=0", "unit", "0");
+    row("unit beyond 247", "modbus-rtu:COM3?unit=248", "unit", "248");
+    row("RTU fragment", "modbus-rtu:COM3?unit=2#x", "fragment", "#x");
+    row("RTU parameter twice", "modbus-rtu:COM3?baud=9600&baud=9600", "parameter", "baud");
+    row("RTU unknown parameter", "modbus-rtu:COM3?speed=9600", "parameter", "speed");
 }
 
 void ConnectionUrlTest::anErrorNamesThePartAtFault()
@@ -139,11 +176,21 @@ void ConnectionUrlTest::whatIsWrittenIsReadBack()
     std::mt19937 random(502);
     const QStringList hosts{QStringLiteral("192.168.1.6"), QStringLiteral("press-3"), QStringLiteral("::1"),
                             QStringLiteral("fe80::20:4aff:fe00:1"), QStringLiteral("a.b.example")};
-    for (int i = 0; i < 2'000; ++i) {
+    const QStringList serialPorts{QStringLiteral("/dev/ttyUSB0"), QStringLiteral("COM12"),
+                                  QStringLiteral("/dev/odd name%?#&=[x]"),
+                                  QStringLiteral("/dev/\u00e9\u65e5")};
+    for (int i = 0; i < 4'000; ++i) {
         ConnectionUrl url;
-        url.host = hosts[qsizetype(random() % 5)];
-        url.port = quint16(1 + random() % 65'535);
-        url.unit = quint8(random());
+        if (random() % 2) {
+            url.host = hosts[qsizetype(random() % 5)];
+            url.port = quint16(1 + random() % 65'535);
+            url.unit = quint8(random());
+        } else {
+            url.protocol = Protocol::ModbusRtu;
+            url.host = serialPorts[qsizetype(random() % 4)];
+            url.serial = everySerialSettings().at(qsizetype(random() % 15));
+            url.unit = quint8(1 + random() % 247);
+        }
         url.viewOnly = random() % 2;
         if (random() % 2)
             url.sensor = SensorModel(random() % 5);
@@ -156,21 +203,36 @@ void ConnectionUrlTest::whatIsWrittenIsReadBack()
 /// A good text with a few characters spoiled is refused or means what its canonical text says.
 void ConnectionUrlTest::garbageIsNeverAccepted()
 {
-    const QString good = QStringLiteral("modbus-tcp://[fe80::1]:49152?sensor=HL-G203B-S-MK&unit=1&view=only");
+    const QString goods[] = {
+        QStringLiteral("modbus-tcp://[fe80::1]:49152?sensor=HL-G203B-S-MK&unit=1&view=only"),
+        QStringLiteral("modbus-rtu:/dev/ttyUSB0?baud=38400&parity=even&stop=1&unit=1&view=only")};
     const QString alphabet = QStringLiteral("[]:/?#&=@%. -_0a9\u00e9\u3000");
     std::mt19937 random(503);
-    for (int i = 0; i < 50'000; ++i) {
-        QString text = good;
+    for (int i = 0; i < 100'000; ++i) {
+        QString text = goods[i % 2];
         for (int n = 1 + int(random() % 4); n > 0; --n)
             text[qsizetype(random() % quint32(text.size()))] =
                 alphabet[qsizetype(random() % quint32(alphabet.size()))];
         const auto url = parseConnectionUrl(text);
         if (!url)
             continue;
-        QVERIFY2(url->port >= 1 && !url->host.isEmpty(), qPrintable(text));
+        QVERIFY2(!url->host.isEmpty() && url->unit <= (url->protocol == Protocol::ModbusRtu ? 247 : 255),
+                 qPrintable(text));
         const auto again = parseConnectionUrl(url->toString());
         QVERIFY2(again && *again == *url, qPrintable(text));
     }
+}
+
+void ConnectionUrlTest::aPlaceSaysWhereTheSensorIs()
+{
+    const auto tcp = parseConnectionUrl(QStringLiteral("modbus-tcp://a:1502?unit=7&view=only"));
+    const auto rtu =
+        parseConnectionUrl(QStringLiteral("modbus-rtu:COM3?unit=7&view=only&sensor=HL-G203B-S-MK"));
+    QVERIFY(tcp && rtu);
+    QCOMPARE(tcp->place(), QStringLiteral("a:1502"));
+    QCOMPARE(rtu->place(), QStringLiteral("COM3, unit 7"));
+    QCOMPARE(tcp->peer().toString(), QStringLiteral("modbus-tcp://a:1502"));
+    QCOMPARE(rtu->peer().toString(), QStringLiteral("modbus-rtu:COM3?baud=38400&parity=even&stop=1&unit=7"));
 }
 
 QTEST_APPLESS_MAIN(ConnectionUrlTest)

@@ -7,16 +7,6 @@ using ports::FrameMeaning;
 
 namespace {
 
-QString peerOf(const ports::ConnectionUrl& url)
-{
-    ports::ConnectionUrl bare = url;
-    bare.sensor.reset();
-    bare.viewOnly = false;
-    if (url.protocol == ports::Protocol::ModbusTcp)
-        bare.unit = ports::ConnectionUrl().unit;
-    return bare.toString();
-}
-
 QString placeOf(const ports::ConnectionUrl& url)
 {
     if (url.protocol == ports::Protocol::ModbusTcp)
@@ -46,7 +36,7 @@ FrameRecorder::FrameRecorder(ports::FrameLog& log, const ports::Scheduler& clock
     , m_port(placeOf(url))
     , m_protocol(url.protocol == ports::Protocol::ModbusTcp ? QStringLiteral("Modbus TCP")
                                                             : QStringLiteral("Modbus RTU"))
-    , m_peer(peerOf(url))
+    , m_peer(url.peer().toString())
 {}
 
 void FrameRecorder::connecting() { record(Direction::Sent, FrameMeaning::Connecting, {m_host, m_port}); }
