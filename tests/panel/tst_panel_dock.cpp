@@ -1,6 +1,8 @@
+#include "display_view.h"
 #include "front_panel.h"
 #include "panel_dock.h"
 
+#include <QDir>
 #include <QMainWindow>
 #include <QPointer>
 #include <QSignalSpy>
@@ -56,6 +58,22 @@ private Q_SLOTS:
     {
         m_demo->runAndWait([](SensorStation& station) { station.sensor().placeWorkpiece(12'340); });
         QTRY_COMPARE(m_dock->panel().content().body, u"+1.234"_s);
+    }
+
+    void it_is_drawn_narrow_and_wide()
+    {
+        for (const int width : {m_dock->minimumSizeHint().width(), 420}) {
+            m_dock->setFloating(true);
+            m_dock->resize(width, 420);
+            QTRY_COMPARE(m_dock->width(), width);
+            const auto* display = m_dock->panel().findChild<emulator::DisplayView*>();
+            QVERIFY(display->height() >= display->width() / 2 - 1); // as wide as it may be
+            if (qEnvironmentVariableIsSet("LDS_PICTURES")) {
+                const QString file =
+                    QDir(qEnvironmentVariable("LDS_PICTURES")).filePath(u"dock-%1.png"_s.arg(width));
+                QVERIFY(m_dock->grab().save(file));
+            }
+        }
     }
 
     void its_keys_reach_the_sensor()

@@ -263,7 +263,7 @@ private Q_SLOTS:
         PanelWidget widget;
         showUp(widget);
         QSignalSpy asked(&widget, &PanelWidget::powerCycleRequested);
-        QTest::mouseClick(widget.findChild<QToolButton*>(u"power"_s), Qt::LeftButton);
+        QTest::mouseClick(widget.findChild<QAbstractButton*>(u"power"_s), Qt::LeftButton);
         QCOMPARE(asked.size(), 1);
     }
 

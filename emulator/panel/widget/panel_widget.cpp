@@ -114,30 +114,32 @@ QWidget* PanelWidget::makeKeyRow()
 QWidget* PanelWidget::makePairRow()
 {
     auto* row = new QWidget(this);
-    auto* layout = new QHBoxLayout(row);
+    auto* layout = new QVBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
-    addPair(row, Key::Up, Key::Down,
+    auto* pairs = new QHBoxLayout;
+    addPair(pairs, Key::Up, Key::Down,
             tr("Holds UP and DOWN together: briefly for zero set, in an entry back to the first digit; two "
                "seconds lock or unlock the keys"));
-    addPair(row, Key::Down, Key::Enter, tr("Holds DOWN and ENTER together: zero set off"));
-    addPair(row, Key::Up, Key::Enter, tr("Holds UP and ENTER together: resets the measured value"));
-    layout->addStretch();
-    auto* power = new QToolButton(row);
+    addPair(pairs, Key::Down, Key::Enter, tr("Holds DOWN and ENTER together: zero set off"));
+    addPair(pairs, Key::Up, Key::Enter, tr("Holds UP and ENTER together: resets the measured value"));
+    layout->addLayout(pairs);
+    auto* power = new QPushButton(tr("Power off and on"), row);
     power->setObjectName(u"power"_s);
-    power->setText(tr("Off and on"));
     power->setToolTip(tr("Switches the sensor's power off and on. With ENTER held for two seconds "
                          "meanwhile, the set values are initialized"));
     power->setAccessibleName(tr("Switch the sensor off and on"));
+    power->setAutoDefault(false);
     power->setFocusPolicy(Qt::TabFocus);
     power->installEventFilter(this);
-    connect(power, &QToolButton::clicked, this, &PanelWidget::powerCycleRequested);
-    layout->addWidget(power);
+    connect(power, &QPushButton::clicked, this, &PanelWidget::powerCycleRequested);
+    layout->addWidget(power, 0, Qt::AlignRight);
     return row;
 }
 
-void PanelWidget::addPair(QWidget* row, Key first, Key second, const QString& tip)
+void PanelWidget::addPair(QBoxLayout* row, Key first, Key second, const QString& tip)
 {
-    auto* button = new QToolButton(row);
+    auto* button = new QToolButton(this);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     button->setObjectName(u"%1+%2"_s.arg(nameOf(first), nameOf(second)));
     button->setText(button->objectName());
     button->setToolTip(tip);
@@ -148,7 +150,7 @@ void PanelWidget::addPair(QWidget* row, Key first, Key second, const QString& ti
         hold(holderOf(button), {keyAt(first), keyAt(second)});
     });
     connect(button, &QToolButton::released, this, [this, button] { letGo(holderOf(button)); });
-    row->layout()->addWidget(button);
+    row->addWidget(button);
 }
 
 const DisplayContent& PanelWidget::content() const { return m_display->content(); }

@@ -10,7 +10,7 @@
 #include <QPointer>
 #include <QWidget>
 
-class QAbstractButton;
+class QBoxLayout;
 
 namespace lds::emulator {
 
@@ -52,7 +52,7 @@ private:
     QWidget* makeCase();
     QWidget* makeKeyRow();
     QWidget* makePairRow();
-    void addPair(QWidget* row, Key first, Key second, const QString& tip);
+    void addPair(QBoxLayout* row, Key first, Key second, const QString& tip);
     Key keyAt(Key named) const; ///< The place of the key that has this name now.
     void nameKeys();
     bool pressedOnKeyboard(QKeyEvent* event);
