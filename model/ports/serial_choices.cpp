@@ -1,24 +1,15 @@
 #include "serial_choices.h"
 
 #include "catalog.h"
+#include "serial_codes.h"
 
 #include <algorithm>
-#include <QLatin1StringView>
 
 namespace lds::ports {
 
 using catalog::ItemId;
 
 namespace {
-
-std::span<const catalog::Choice> speedChoices() { return catalog::hlG2(ItemId::CommunicationSpeed).choices; }
-
-/// The catalog names a speed by its number: "38400 bps".
-int baudOf(const catalog::Choice& choice)
-{
-    const QLatin1StringView name(choice.name);
-    return name.first(std::max<qsizetype>(0, name.indexOf(QLatin1Char(' ')))).toInt();
-}
 
 SerialSettings asDelivered()
 {
@@ -34,32 +25,26 @@ SerialSettings asDelivered()
 QList<int> serialSpeeds()
 {
     QList<int> speeds;
-    for (const catalog::Choice& choice : speedChoices())
-        speeds.append(baudOf(choice));
+    for (const catalog::Choice& choice : catalog::hlG2(ItemId::CommunicationSpeed).choices)
+        speeds.append(catalog::lineSpeed(choice.code).value_or(0));
     return speeds;
 }
 
-std::optional<catalog::Value> speedCode(int baud)
-{
-    for (const catalog::Choice& choice : speedChoices()) {
-        if (baudOf(choice) == baud)
-            return choice.code;
-    }
-    return std::nullopt;
-}
+std::optional<catalog::Value> speedCode(int baud) { return catalog::lineSpeedCode(baud); }
 
-// SerialParity lists NON, EVEN and ODD in the order of the catalog's codes.
-catalog::Value parityCode(SerialParity parity) { return catalog::Value(parity); }
+// The two enumerations list the same three.
+catalog::Value parityCode(SerialParity parity)
+{
+    return catalog::lineParityCode(catalog::LineParity(quint8(parity)));
+}
 
 std::optional<SerialSettings> serialSettingsOf(catalog::Value speedCode, catalog::Value parityCode)
 {
-    const auto speeds = speedChoices();
-    const auto speed = std::ranges::find(speeds, speedCode, &catalog::Choice::code);
-    const auto parities = catalog::hlG2(ItemId::ParityStopBit).choices;
-    const auto parity = std::ranges::find(parities, parityCode, &catalog::Choice::code);
-    if (speed == speeds.end() || parity == parities.end())
+    const auto speed = catalog::lineSpeed(speedCode);
+    const auto parity = catalog::lineParity(parityCode);
+    if (!speed || !parity)
         return std::nullopt;
-    return SerialSettings{baudOf(*speed), SerialParity(parityCode)};
+    return SerialSettings{*speed, SerialParity(quint8(*parity))};
 }
 
 QList<SerialSettings> everySerialSettings()
