@@ -83,7 +83,7 @@ void SessionCommand::onOpeningTimeout()
 QString SessionCommand::failureSentence() const
 {
     const ports::LinkReport& report = m_session.linkReport();
-    const QString where = QStringLiteral("%1:%2").arg(m_session.url().host).arg(m_session.url().port);
+    const QString where = m_session.url().place();
     QString sentence =
         report.failure == ports::OpenFailure::Lost || report.failure == ports::OpenFailure::None
             ? Texts::tr("The connection to %1 was cut. Check power and cable, then try again.").arg(where)

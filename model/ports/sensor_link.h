@@ -80,6 +80,13 @@ enum class OpenFailure : quint8 {
     NotASensor, ///< Answers, but not as an HL-G2 does.
     NotReady,   ///< An HL-G2 in its menu (exception 04).
     Lost,       ///< Cut while open.
+    // Of serial lines:
+    NoSuchPort,         ///< No port of that name, or the adapter known by it is not plugged in.
+    PortBusy,           ///< Another program has it open.
+    PortNotPermitted,   ///< The system does not let this person open it.
+    PortUnusable,       ///< It is no serial port, or cannot do the settings.
+    PortSettingsDiffer, ///< It is open for other sensors with other settings.
+    PortGone,           ///< It vanished while open: unplugged.
 };
 
 struct LinkReport {

@@ -15,8 +15,13 @@ int ReconnectPolicy::nextDelayMs(ports::OpenFailure failure)
     switch (failure) {
     case ports::OpenFailure::HostNotFound:
     case ports::OpenFailure::NotASensor:
+    case ports::OpenFailure::PortNotPermitted:
+    case ports::OpenFailure::PortUnusable:
+    case ports::OpenFailure::PortSettingsDiffer:
         return m_longestMs;
     case ports::OpenFailure::NotReady:
+    case ports::OpenFailure::NoSuchPort:
+    case ports::OpenFailure::PortGone:
         return m_firstMs;
     default:
         break;

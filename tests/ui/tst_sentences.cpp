@@ -121,8 +121,11 @@ private Q_SLOTS:
         url.host = u"sensor7"_s;
         url.port = 1502;
         Distinct seen;
-        for (const auto failure : {OpenFailure::HostNotFound, OpenFailure::Refused, OpenFailure::NoAnswer,
-                                   OpenFailure::NotASensor, OpenFailure::NotReady, OpenFailure::Lost}) {
+        for (const auto failure :
+             {OpenFailure::HostNotFound, OpenFailure::Refused, OpenFailure::NoAnswer, OpenFailure::NotASensor,
+              OpenFailure::NotReady, OpenFailure::Lost, OpenFailure::NoSuchPort, OpenFailure::PortBusy,
+              OpenFailure::PortNotPermitted, OpenFailure::PortUnusable, OpenFailure::PortSettingsDiffer,
+              OpenFailure::PortGone}) {
             const QString sentence =
                 openFailureSentence({ports::LinkState::Failed, failure, u"detail"_s, true}, url);
             ADD(seen, sentence);

@@ -88,7 +88,8 @@ QString failureSentence(const ports::Failure& failure, const SettingItem* item)
 
 QString openFailureSentence(const ports::LinkReport& report, const ports::ConnectionUrl& url)
 {
-    const QString where = QStringLiteral("%1:%2").arg(url.host).arg(url.port);
+    const QString where = url.place();
+    const bool isSerial = url.protocol == ports::Protocol::ModbusRtu;
     switch (report.failure) {
     case ports::OpenFailure::None:
         return {};
@@ -103,10 +104,18 @@ QString openFailureSentence(const ports::LinkReport& report, const ports::Connec
             .arg(url.host)
             .arg(url.port);
     case ports::OpenFailure::NoAnswer:
+        if (isSerial)
+            return Sentences::tr("%1 does not answer. Check power and cable, and that device address, speed "
+                                 "and parity are the sensor's (menu 82 to 84).")
+                .arg(where);
         return Sentences::tr("%1 does not answer. Check power, cable, and that the address is the sensor's "
                              "(menu 71).")
             .arg(where);
     case ports::OpenFailure::NotASensor:
+        if (isSerial)
+            return Sentences::tr("%1 answers, but not as an HL-G2 does. Check that the device address is the "
+                                 "sensor's (menu 82).")
+                .arg(where);
         return Sentences::tr("%1 answers, but not as an HL-G2 does. Check that the address and the port are "
                              "the sensor's.")
             .arg(where);
@@ -118,6 +127,31 @@ QString openFailureSentence(const ports::LinkReport& report, const ports::Connec
         return Sentences::tr("The connection to %1 was cut. Check power and cable; it is tried again by "
                              "itself.")
             .arg(where);
+    case ports::OpenFailure::NoSuchPort:
+        return Sentences::tr("There is no port %1. Plug the adapter in; it is then connected by itself. If "
+                             "it is plugged in, check the name.")
+            .arg(url.host);
+    case ports::OpenFailure::PortBusy:
+        return Sentences::tr("Another program is using the port %1. End it; the connection is tried again by "
+                             "itself.")
+            .arg(url.host);
+    case ports::OpenFailure::PortNotPermitted:
+        return Sentences::tr("You are not allowed to open the port %1. On Linux, have your account added to "
+                             "the group “dialout”, then log in again.")
+            .arg(url.host);
+    case ports::OpenFailure::PortUnusable:
+        return Sentences::tr("%1 cannot be used as a serial port with %2 bps. Choose another port or another "
+                             "speed.")
+            .arg(url.host)
+            .arg(url.serial.baud);
+    case ports::OpenFailure::PortSettingsDiffer:
+        return Sentences::tr("The port %1 is open for other sensors with another speed or parity, which all "
+                             "sensors on a line share. Close those connections first, or use their settings.")
+            .arg(url.host);
+    case ports::OpenFailure::PortGone:
+        return Sentences::tr("The port %1 is gone: its adapter was unplugged. Plug it in again; it is then "
+                             "connected by itself.")
+            .arg(url.host);
     }
     return {};
 }
