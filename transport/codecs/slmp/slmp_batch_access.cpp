@@ -7,8 +7,6 @@ namespace lds::slmp {
 
 namespace {
 
-constexpr int startAndPointsSize = 6;
-
 quint16 subcommandOf(AccessUnit unit) { return unit == AccessUnit::Bit ? bitSubcommand : wordSubcommand; }
 
 Message encodeStart(Command command, AccessUnit unit, const Device& start, quint16 points)

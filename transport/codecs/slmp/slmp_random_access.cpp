@@ -37,6 +37,8 @@ tl::expected<WriteRandomRequest, CompleteCode> decodeWriteWords(Reader& reader)
     if (!counts)
         return tl::unexpected(counts.error());
     WriteRandomRequest request;
+    request.words.reserve(counts->words);
+    request.doubleWords.reserve(counts->doubleWords);
     bool refused = false;
     for (int i = 0; i < counts->words; ++i) {
         const Device device = readDevice(reader);
@@ -63,6 +65,7 @@ tl::expected<WriteRandomRequest, CompleteCode> decodeWriteBits(Reader& reader)
     if (reader.left() != bitEntrySize * count)
         return tl::unexpected(CompleteCode::RequestDataSize);
     WriteRandomRequest request;
+    request.bits.reserve(count);
     bool refused = false;
     for (int i = 0; i < count; ++i) {
         const Device device = readDevice(reader);
@@ -97,6 +100,8 @@ tl::expected<ReadRandomRequest, CompleteCode> decodeReadRandomRequest(const Mess
     if (!counts)
         return tl::unexpected(counts.error());
     ReadRandomRequest request;
+    request.words.reserve(counts->words);
+    request.doubleWords.reserve(counts->doubleWords);
     bool refused = false;
     for (int i = 0; i < counts->words; ++i) {
         request.words.append(readDevice(reader));
@@ -128,6 +133,8 @@ tl::expected<ReadRandomResponse, ResponseFailure> decodeReadRandomResponse(const
         return tl::unexpected(ResponseFailure{ResponseError::Data});
     Reader reader(data);
     ReadRandomResponse response;
+    response.words.reserve(request.words.size());
+    response.doubleWords.reserve(request.doubleWords.size());
     for (qsizetype i = 0; i < request.words.size(); ++i)
         response.words.append(reader.u16());
     for (qsizetype i = 0; i < request.doubleWords.size(); ++i)
