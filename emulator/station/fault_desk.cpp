@@ -36,7 +36,7 @@ std::optional<SensorFault> sensorFault(NamedFault fault)
 
 } // namespace
 
-FaultDesk::FaultDesk(VirtualSensor& sensor, const QList<ModbusTcpServer*>& servers, EmulatorClock& clock)
+FaultDesk::FaultDesk(VirtualSensor& sensor, const QList<FaultyServer*>& servers, EmulatorClock& clock)
     : m_sensor(sensor)
     , m_servers(servers)
     , m_clock(clock)
@@ -111,7 +111,7 @@ void FaultDesk::apply(NamedFault fault)
     }
     const StandingFaults faults{milliseconds(NamedFault::SlowAnswers), isOn(NamedFault::AnswersLost),
                                 isOn(NamedFault::AnswersCut), isOn(NamedFault::ConnectionDropped)};
-    for (ModbusTcpServer* server : m_servers)
+    for (FaultyServer* server : m_servers)
         server->setStandingFaults(faults);
 }
 

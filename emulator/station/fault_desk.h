@@ -1,8 +1,8 @@
 #pragma once
 
 #include "emulator_clock.h"
-#include "modbus_tcp_server.h"
 #include "named_fault.h"
+#include "standing_faults.h"
 #include "virtual_sensor.h"
 
 #include <array>
@@ -22,7 +22,7 @@ public:
     enum class By : quint8 { Person, Scene };
     static constexpr int longestMs = 3'600'000; ///< Of slowAnswers and saving; longer becomes this.
 
-    FaultDesk(VirtualSensor& sensor, const QList<ModbusTcpServer*>& servers, EmulatorClock& clock);
+    FaultDesk(VirtualSensor& sensor, const QList<FaultyServer*>& servers, EmulatorClock& clock);
 
     /// `milliseconds` is for the faults that take one, their default when nothing is given.
     void switchOn(NamedFault fault, By by, std::optional<int> milliseconds = {});
@@ -51,7 +51,7 @@ private:
     void apply(NamedFault fault);
 
     VirtualSensor& m_sensor;
-    const QList<ModbusTcpServer*> m_servers;
+    const QList<FaultyServer*> m_servers;
     EmulatorClock& m_clock;
     std::array<Switches, 2> m_on;
 };

@@ -35,7 +35,8 @@ SensorStation::SensorStation(const StationOptions& options, const SettingsMemory
     , m_sensor(saved, m_sensorClock)
     , m_modbusServer(m_sensor, clock)
     , m_toolServer(m_sensor, clock)
-    , m_faults(m_sensor, {&m_modbusServer, &m_toolServer}, clock)
+    , m_rtuUnit(m_sensor)
+    , m_faults(m_sensor, {&m_modbusServer, &m_toolServer, &m_rtuUnit}, clock)
     , m_player(m_sensor, m_faults, clock, m_sensorClock)
     , m_network(m_sensor, m_modbusServer, m_toolServer)
 {
@@ -43,6 +44,8 @@ SensorStation::SensorStation(const StationOptions& options, const SettingsMemory
     m_sensorClock.setBefore(follow);
     m_modbusServer.setBefore(follow);
     m_toolServer.setBefore(follow);
+    m_rtuUnit.setBefore(follow);
+    m_rtuUnit.setAnsweringTime(options.answeringTimeMs);
     connect(&m_faults, &FaultDesk::changed, this, &SensorStation::stateChanged);
     connect(&m_player, &ScenePlayer::changed, this, &SensorStation::stateChanged);
     connect(&m_network, &StationNetwork::portMoved, this, &SensorStation::networkChanged);
@@ -66,9 +69,18 @@ SensorStation::Started SensorStation::prepare(const StationOptions& options, Emu
                 return file.save(memory, life);
             });
     }
+    if (options.unit)
+        station->takeUnit(*options.unit);
     if (const auto loaded = station->loadScene(options.scene); !loaded)
         return problem(StationProblem::Kind::Scene, loaded.error());
     return station;
+}
+
+/// As a person would do it over the line: the address, and then a communication reset.
+void SensorStation::takeUnit(quint8 unit)
+{
+    m_sensor.write({{catalog::ItemId::DeviceAddress, unit}});
+    m_sensor.write({{catalog::ItemId::ResettingCommunicationSettings, 0}});
 }
 
 tl::expected<void, StationProblem> SensorStation::listen()

@@ -3,6 +3,7 @@
 #include "fault_desk.h"
 #include "modbus_tcp_server.h"
 #include "replay_clock.h"
+#include "rtu_unit.h"
 #include "scene_player.h"
 #include "station_network.h"
 #include "station_state.h"
@@ -24,6 +25,9 @@ struct StationOptions {
     std::optional<quint16> toolPort;
     QString stateFile; ///< Where the saved memory outlives the program; empty = nowhere.
     QString scene;     ///< A file, or an example's key; empty = a workpiece that moves gently.
+    /// Its Device Address at the start, 1 … 247, as if written and not saved; nothing = the saved one.
+    std::optional<quint8> unit;
+    int answeringTimeMs = 0; ///< On an RS-485 line, from the end of a request to the answer.
 };
 
 /// Why a station did not start.
@@ -51,6 +55,8 @@ public:
     FaultDesk& faults() { return m_faults; }
     ModbusTcpServer& modbusServer() { return m_modbusServer; }
     ModbusTcpServer& toolServer() { return m_toolServer; }
+    /// For an RS-485 line, whose owner attaches it (RtuLine::attach).
+    RtuUnit& rtuUnit() { return m_rtuUnit; }
     std::optional<quint16> modbusPort() const { return portOf(m_modbusServer); } ///< Nothing: no such server.
     std::optional<quint16> toolPort() const { return portOf(m_toolServer); }
 
@@ -65,6 +71,7 @@ Q_SIGNALS:
 
 private:
     SensorStation(const StationOptions& options, const SettingsMemory& saved, EmulatorClock& clock);
+    void takeUnit(quint8 unit);
     static std::optional<quint16> portOf(const ModbusTcpServer& server);
 
     const StationOptions m_options;
@@ -72,6 +79,7 @@ private:
     VirtualSensor m_sensor;
     ModbusTcpServer m_modbusServer;
     ModbusTcpServer m_toolServer;
+    RtuUnit m_rtuUnit;
     FaultDesk m_faults;
     ScenePlayer m_player;
     StationNetwork m_network;
