@@ -42,7 +42,7 @@ void SlmpRemoteControlTest::remoteStop()
 
 void SlmpRemoteControlTest::readTypeName()
 {
-    const ReadTypeNameResponse response{QStringLiteral("HL-G203B-S-MK"), 0x0109};
+    const ReadTypeNameResponse response{QStringLiteral("HL-G203B-S-MK"), hlg2TypeNameCode};
     golden::checkBothDirections(golden::fetched(), ReadTypeNameRequest{}, encodeResponse(response));
     QVERIFY(decodeReadTypeNameResponse(encodeResponse(response)) == response);
 }

@@ -35,6 +35,7 @@ private Q_SLOTS:
     void eachTypeSupportsTheCommandsOfItsColumn();
     void otherCommandsGetC059_data();
     void otherCommandsGetC059();
+    void stationsAreTheCombinationsOfTheTable();
     void theLocalStationIsAlwaysAccepted();
     void anotherStationIsAcceptedByItsOwnNumbers();
     void lmtReachesTheLocalStationOnly();
@@ -79,6 +80,19 @@ void SlmpServerRequestTest::otherCommandsGetC059()
     QFETCH(int, command);
     for (const FrameType type : allTypes)
         QCOMPARE(golden::judged({Command(command), 0, hex("0100")}, type), int(CompleteCode::Command));
+}
+
+// §5.4.2, "Combination of network numbers and station numbers".
+void SlmpServerRequestTest::stationsAreTheCombinationsOfTheTable()
+{
+    for (int node = 0; node < 256; ++node) {
+        const bool other = (node >= 1 && node <= 120) || node == 125 || node == 126;
+        QCOMPARE(isStation(0, quint8(node)), node == 255);
+        QCOMPARE(isStation(1, quint8(node)), other);
+        QCOMPARE(isStation(239, quint8(node)), other);
+        QVERIFY(!isStation(240, quint8(node)));
+        QVERIFY(!isStation(255, quint8(node)));
+    }
 }
 
 // §5.4.2 notes: network 0, node 255, processor 03FFH.

@@ -25,6 +25,14 @@ struct Route {
 
 inline constexpr Route localStation{};
 
+/// The table "Combination of network numbers and station numbers", §5.4.2 and §5.4.1 notes 6 and 7.
+constexpr bool isStation(quint8 network, quint8 node)
+{
+    if (network == 0)
+        return node == 255;
+    return network <= 239 && ((node >= 1 && node <= 120) || node == 125 || node == 126);
+}
+
 /// The commands of §5.4.3. A message may carry any other number.
 enum class Command : quint16 {
     ReadTypeName = 0x0101,

@@ -43,6 +43,9 @@ struct ReadTypeNameResponse {
 };
 
 inline constexpr int typeNameSize = 16;
+/// What the HL-G2 is taken to send as its model code here. The manual gives none for this command; note 4 of
+/// §5.4.3 prints "Type name code: 0109H", the only code of two bytes. Never recognise a sensor by it.
+inline constexpr quint16 hlg2TypeNameCode = 0x0109;
 
 /// No data.
 Message encodeRequest(const ReadTypeNameRequest& request);
