@@ -97,7 +97,14 @@ tl::expected<StationOptions, QString> stationOf(const QJsonValue& value, const Q
     const auto scene = textOf(object, u"scene"_s, where, {});
     if (!scene)
         return tl::unexpected(scene.error());
-    return StationOptions{*model, *address, *modbusPort, *toolPort, stateFile, sceneOf(*scene, folder)};
+    StationOptions station;
+    station.model = *model;
+    station.address = *address;
+    station.modbusPort = *modbusPort;
+    station.toolPort = *toolPort;
+    station.stateFile = stateFile;
+    station.scene = sceneOf(*scene, folder);
+    return station;
 }
 
 tl::expected<QList<StationOptions>, QString> stationsOf(const QByteArray& json, const QDir& folder)

@@ -3,6 +3,7 @@
 #include <memory>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QLocalSocket>
 
 #ifdef Q_OS_UNIX
@@ -46,15 +47,16 @@ ControlSocket::ControlSocket(ControlDesk& desk, QObject* parent)
 
 tl::expected<void, QString> ControlSocket::listen(const QString& name)
 {
-    if (m_server.listen(name))
-        return {};
+    // QLocalServer with access options replaces whatever has the name, so look first.
     const QString path = name.startsWith(u'/') ? name : QDir::tempPath() + u'/' + name;
-    if (m_server.serverError() == QAbstractSocket::AddressInUseError && isLeftBehind(path)) {
+    if (isLeftBehind(path))
         QLocalServer::removeServer(name);
-        if (m_server.listen(name))
-            return {};
-    }
-    return tl::unexpected(u"%1: %2"_s.arg(path, m_server.errorString()));
+    else if (QFileInfo::exists(path))
+        return tl::unexpected(
+            u"%1: is there already; another program has it, or it is no socket"_s.arg(path));
+    if (!m_server.listen(name))
+        return tl::unexpected(u"%1: %2"_s.arg(path, m_server.errorString()));
+    return {};
 }
 
 void ControlSocket::acceptClients()

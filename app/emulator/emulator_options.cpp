@@ -82,8 +82,13 @@ tl::expected<StationOptions, QString> stationOf(const QCommandLineParser& parser
         return tl::unexpected(u"--state: the file name is empty"_s);
     if (parser.isSet(u"scene"_s) && parser.value(u"scene"_s).isEmpty())
         return tl::unexpected(u"--scene: the name is empty"_s);
-    return StationOptions{
-        *model, *address, *modbusPort, *toolPort, parser.value(u"state"_s), parser.value(u"scene"_s)};
+    station.model = *model;
+    station.address = *address;
+    station.modbusPort = *modbusPort;
+    station.toolPort = *toolPort;
+    station.stateFile = parser.value(u"state"_s);
+    station.scene = parser.value(u"scene"_s);
+    return station;
 }
 
 QString sceneList()

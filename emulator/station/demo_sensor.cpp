@@ -4,10 +4,15 @@
 
 namespace lds::emulator {
 
+namespace {
+constexpr int tellEveryMs = 50;
+}
+
 /// Everything the thread owns. Deleted there, after the event loop has ended.
 struct DemoSensor::Inside : QObject {
     SystemClock clock;
     std::unique_ptr<SensorStation> station;
+    bool willTell = false; ///< A change is on its way out.
 };
 
 DemoSensor::DemoSensor(catalog::SensorModel model, QObject* parent)
@@ -46,6 +51,34 @@ void DemoSensor::start()
             m_port = port;
             Q_EMIT ready(port);
         });
+        watch(inside);
+    });
+}
+
+/// In the sensor's thread. A scene may change something every millisecond; screens are told less often.
+void DemoSensor::watch(Inside* inside)
+{
+    const auto tell = [this, inside] {
+        inside->willTell = false;
+        QMetaObject::invokeMethod(this, [this, state = inside->station->state()] {
+            m_state = state;
+            Q_EMIT stateChanged(m_state);
+        });
+    };
+    connect(inside->station.get(), &SensorStation::stateChanged, inside, [inside, tell] {
+        if (std::exchange(inside->willTell, true))
+            return;
+        inside->clock.after(tellEveryMs, inside, tell);
+    });
+    tell();
+}
+
+void DemoSensor::loadScene(const QString& pathOrExample)
+{
+    post([this, pathOrExample](SensorStation& station) {
+        const auto loaded = station.loadScene(pathOrExample);
+        if (!loaded)
+            QMetaObject::invokeMethod(this, [this, reason = loaded.error()] { Q_EMIT sceneRefused(reason); });
     });
 }
 

@@ -24,7 +24,12 @@ public:
 
     void start();
     catalog::SensorModel model() const { return m_options.model; }
-    quint16 port() const { return m_port; } ///< 0 until ready().
+    quint16 port() const { return m_port; }               ///< 0 until ready().
+    const StationState& state() const { return m_state; } ///< As stateChanged() told last; no faults: never.
+
+    /// A file, or an example's key; empty = the workpiece that moves gently. stateChanged() follows, or
+    /// sceneRefused() and everything stays as it is.
+    void loadScene(const QString& pathOrExample);
 
     /// Runs `work` with the sensor, in the sensor's thread, later and in order. Captures go by value.
     /// Before ready() and after a failure it is dropped.
@@ -44,14 +49,19 @@ public:
 Q_SIGNALS:
     void ready(quint16 port);
     void failed(const QString& reason);
+    /// What a person can change there, as it is now: at the start and, a little later, after each change.
+    void stateChanged(const lds::emulator::StationState& state);
+    void sceneRefused(const QString& reason); ///< Names file and field.
 
 private:
     struct Inside; ///< What lives in the thread.
+    void watch(Inside* inside);
 
     StationOptions m_options;
     QThread m_thread;
     Inside* m_inside = nullptr;
     quint16 m_port = 0;
+    StationState m_state;
 };
 
 } // namespace lds::emulator

@@ -82,6 +82,7 @@ void ScenePlayer::holdAt(catalog::Value rawValue)
     standStill();
     m_held.clear();
     m_heldAt = rawValue;
+    m_sensor.setScenery(nullptr); // nothing of the scene's light is left
     m_sensor.placeWorkpiece(rawValue);
     Q_EMIT changed();
 }

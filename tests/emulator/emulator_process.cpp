@@ -37,6 +37,16 @@ quint16 EmulatorProcess::port(const QJsonObject& ready, QLatin1StringView key)
     return quint16(ready.value(key).toInt());
 }
 
+QByteArray EmulatorProcess::control(const QByteArray& line)
+{
+    m_process.write(line + '\n');
+    while (!m_process.canReadLine()) {
+        if (!m_process.waitForReadyRead(patienceMs))
+            return {};
+    }
+    return m_process.readLine();
+}
+
 int EmulatorProcess::endWith(int signal)
 {
     ::kill(pid_t(m_process.processId()), signal);

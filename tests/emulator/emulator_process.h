@@ -19,6 +19,10 @@ public:
     QJsonObject ready() const;
     quint16 modbusPort() const { return port(ready(), QLatin1StringView("modbusPort")); }
     static quint16 port(const QJsonObject& ready, QLatin1StringView key);
+    qint64 processId() const { return m_process.processId(); }
+    /// The line with which it answers a control line; empty when none comes.
+    QByteArray control(const QByteArray& line);
+    void closeInput() { m_process.closeWriteChannel(); }
     QByteArray errors() { return m_process.readAllStandardError(); }
     /// Exit code after a signal; −1 when it did not end properly.
     int endWith(int signal);

@@ -5,6 +5,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLocalSocket>
 #include <QProcess>
 #include <QTcpServer>
 #include <QTcpSocket>
@@ -21,7 +22,7 @@ using Emulator = lds::test::EmulatorProcess;
 
 QString program() { return Emulator::program(); }
 
-QByteArray ask(quint16 port, const char* request)
+QByteArray ask(quint16 port, const QByteArray& request)
 {
     QTcpSocket client;
     client.connectToHost(QHostAddress::LocalHost, port);
@@ -38,6 +39,11 @@ void writeFile(const QString& path, const QByteArray& bytes)
     QFile file(path);
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(bytes);
+}
+
+QJsonObject answerTo(Emulator& emulator, const QByteArray& controlLine)
+{
+    return QJsonDocument::fromJson(emulator.control(controlLine)).object();
 }
 
 constexpr auto readHigh = "0001 0000 0006 01 03 0064 0002";
@@ -61,6 +67,18 @@ private Q_SLOTS:
     void wrongConfigurationFilesNameTheField();
     void savedSettingsSurviveTheProgram();
     void aWrongStateFileIsNeverOverwritten();
+    void aHalfWrittenStateFileIsNeverOverwritten();
+    void aWrongSceneExitsWith2_data();
+    void aWrongSceneExitsWith2();
+    void nothingListensBeforeAllFilesAreRead();
+    void listsTheExampleScenes();
+    void everyExampleSceneStarts();
+    void controlLinesAreAnsweredOneByOne();
+    void theEndOfStandardInputEndsNothing();
+    void aLocalSocketTakesControlLinesToo();
+    void aTakenControlSocketExitsWith1();
+    void sixteenSensorsInOneProgram();
+    void aServerThatMovesSaysSo();
 };
 
 void EmulatorProgramTest::initTestCase()
@@ -272,6 +290,199 @@ void EmulatorProgramTest::aWrongStateFileIsNeverOverwritten()
     QFile file(state);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(file.readAll().endsWith("\"HL-G205B-S-MK\"}"));
+}
+
+void EmulatorProgramTest::aHalfWrittenStateFileIsNeverOverwritten()
+{
+    const QTemporaryDir folder;
+    const QString state = folder.filePath(u"state.json"_s);
+    const QStringList arguments{u"--sensor"_s, u"HL-G203B-S-MK"_s, u"--modbus-port"_s,
+                                u"0"_s,        u"--state"_s,       state};
+    {
+        const Emulator emulator(arguments);
+        QVERIFY(!ask(emulator.modbusPort(), "0001 0000 0006 01 06 0035 0000").isEmpty()); // save
+    }
+    QFile file(state);
+    QVERIFY(file.open(QIODevice::ReadWrite));
+    const qint64 half = file.size() / 2;
+    QVERIFY(half > 100 && file.resize(half));
+    file.close();
+    QProcess process;
+    process.start(program(), arguments);
+    QVERIFY(process.waitForFinished(20'000));
+    QCOMPARE(process.exitCode(), 2);
+    QVERIFY(process.readAllStandardError().contains(state.toUtf8()));
+    QCOMPARE(process.readAllStandardOutput(), QByteArray());
+    QCOMPARE(QFile(state).size(), half);
+}
+
+void EmulatorProgramTest::aWrongSceneExitsWith2_data()
+{
+    QTest::addColumn<QByteArray>("json");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("no JSON") << QByteArray("{\n  \"format\" 1}") << u"line 2"_s;
+    QTest::newRow("another format") << QByteArray(R"({"format": "x"})") << u"format"_s;
+    QTest::newRow("unknown field")
+        << QByteArray(R"({"format": "lds-scene", "version": 1, "name": "N", "description": "D",
+                          "workpieces": [{"name": "a", "height": 0, "colour": 1}],
+                          "motion": {"kind": "still", "workpiece": "a"}})")
+        << u"workpieces[0].colour"_s;
+}
+
+void EmulatorProgramTest::aWrongSceneExitsWith2()
+{
+    QFETCH(QByteArray, json);
+    QFETCH(QString, says);
+    const QTemporaryDir folder;
+    const QString scene = folder.filePath(u"wrong.json"_s);
+    writeFile(scene, json);
+    QProcess process;
+    process.start(program(),
+                  {u"--sensor"_s, u"HL-G203B-S-MK"_s, u"--modbus-port"_s, u"0"_s, u"--scene"_s, scene});
+    QVERIFY(process.waitForFinished(20'000));
+    QCOMPARE(process.exitCode(), 2);
+    QCOMPARE(process.readAllStandardOutput(), QByteArray());
+    const QString message = QString::fromUtf8(process.readAllStandardError());
+    QVERIFY2(message.contains(scene) && message.contains(says), qPrintable(message));
+}
+
+void EmulatorProgramTest::nothingListensBeforeAllFilesAreRead()
+{
+    QTcpServer taken; // the first sensor could not listen here, but the second's scene is looked at before
+    QVERIFY(taken.listen(QHostAddress::LocalHost));
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"line.json"_s);
+    writeFile(path, R"({"sensors": [{"sensor": "HL-G203B-S-MK", "modbusPort": )" +
+                        QByteArray::number(taken.serverPort()) +
+                        R"(}, {"sensor": "HL-G203B-S-MK", "modbusPort": 0, "scene": "nothing.json"}]})");
+    QProcess process;
+    process.start(program(), {u"--config"_s, path});
+    QVERIFY(process.waitForFinished(20'000));
+    QCOMPARE(process.exitCode(), 2);
+    const QString message = QString::fromUtf8(process.readAllStandardError());
+    QVERIFY2(message.contains(u"sensors[1]"_s) && message.contains(folder.filePath(u"nothing.json"_s)),
+             qPrintable(message));
+}
+
+void EmulatorProgramTest::listsTheExampleScenes()
+{
+    QProcess process;
+    process.start(program(), {u"--list-scenes"_s});
+    QVERIFY(process.waitForFinished(20'000));
+    QCOMPARE(process.exitCode(), 0);
+    const QByteArray list = process.readAllStandardOutput();
+    QCOMPARE(list.count('\n'), 5);
+    QVERIFY2(list.contains("conveyor-step  ") && list.contains("Step height"), list);
+}
+
+void EmulatorProgramTest::everyExampleSceneStarts()
+{
+    QProcess process;
+    process.start(program(), {u"--list-scenes"_s});
+    QVERIFY(process.waitForFinished(20'000));
+    const auto lines = process.readAllStandardOutput().trimmed().split('\n');
+    for (const QByteArray& line : lines) {
+        const QString key = QString::fromUtf8(line.split(' ').first());
+        Emulator emulator({u"--sensor"_s, u"HL-G225B-S-MK"_s, u"--modbus-port"_s, u"0"_s, u"--scene"_s, key,
+                           u"--control"_s});
+        QVERIFY2(emulator.ready().value("ready"_L1).toBool(), line);
+        QCOMPARE(answerTo(emulator, "status").value("scene"_L1).toString(), key);
+    }
+}
+
+void EmulatorProgramTest::controlLinesAreAnsweredOneByOne()
+{
+    Emulator emulator({u"--sensor"_s, u"HL-G203B-S-MK"_s, u"--modbus-port"_s, u"0"_s, u"--control"_s});
+    QCOMPARE(emulator.ready().value("control"_L1), QJsonValue(true));
+    QCOMPARE(answerTo(emulator, "workpiece at 1.5").value("measuredValue"_L1).toInt(), 15'000);
+    QVERIFY(answerTo(emulator, "fault nonsense on").value("error"_L1).toString().contains(u"noLight"_s));
+    QVERIFY(!answerTo(emulator, QByteArray(100'000, 'x')).value("ok"_L1).toBool());
+    QCOMPARE(answerTo(emulator, "fault inMenu on").value("ready"_L1), QJsonValue(false));
+    QCOMPARE(ask(emulator.modbusPort(), readHigh), QByteArray::fromHex("0001 0000 0003 01 83 04"));
+    QCOMPARE(answerTo(emulator, "fault inMenu off").value("ready"_L1), QJsonValue(true));
+    QCOMPARE(ask(emulator.modbusPort(), readHigh).size(), 13);
+}
+
+void EmulatorProgramTest::theEndOfStandardInputEndsNothing()
+{
+    Emulator emulator({u"--sensor"_s, u"HL-G203B-S-MK"_s, u"--modbus-port"_s, u"0"_s, u"--control"_s});
+    QVERIFY(answerTo(emulator, "status").value("ok"_L1).toBool());
+    emulator.closeInput();
+    for (int i = 0; i < 3; ++i)
+        QCOMPARE(ask(emulator.modbusPort(), readHigh).size(), 13);
+    QCOMPARE(emulator.endWith(SIGTERM), 0);
+}
+
+void EmulatorProgramTest::aLocalSocketTakesControlLinesToo()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"control"_s);
+    const QStringList arguments{u"--sensor"_s, u"HL-G203B-S-MK"_s,    u"--modbus-port"_s,
+                                u"0"_s,        u"--control-socket"_s, path};
+    for (const int signal : {SIGKILL, SIGTERM}) { // the first one leaves its socket behind
+        Emulator emulator(arguments);
+        QCOMPARE(emulator.ready().value("controlSocket"_L1).toString(), path);
+        QLocalSocket socket;
+        socket.connectToServer(path);
+        QVERIFY(socket.waitForConnected());
+        socket.write("trigger on\n");
+        while (!socket.canReadLine())
+            QVERIFY(socket.waitForReadyRead());
+        QCOMPARE(QJsonDocument::fromJson(socket.readLine()).object().value("trigger"_L1), QJsonValue(true));
+        emulator.endWith(signal);
+    }
+    QVERIFY(!QFile::exists(path));
+}
+
+void EmulatorProgramTest::aTakenControlSocketExitsWith1()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"notes"_s);
+    writeFile(path, "mine");
+    QProcess process;
+    process.start(program(), {u"--sensor"_s, u"HL-G203B-S-MK"_s, u"--modbus-port"_s, u"0"_s,
+                              u"--control-socket"_s, path});
+    QVERIFY(process.waitForFinished(20'000));
+    QCOMPARE(process.exitCode(), 1);
+    QVERIFY(process.readAllStandardError().contains(path.toUtf8()));
+    QCOMPARE(QFile(path).size(), 4);
+}
+
+void EmulatorProgramTest::sixteenSensorsInOneProgram()
+{
+    QJsonArray sensors;
+    for (int number = 1; number <= 16; ++number)
+        sensors.append(QJsonObject{{u"sensor"_s, u"HL-G203B-S-MK"_s},
+                                   {u"bind"_s, u"127.0.0.%1"_s.arg(number)},
+                                   {u"modbusPort"_s, 0}});
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"sixteen.json"_s);
+    writeFile(path, QJsonDocument(QJsonObject{{u"sensors"_s, sensors}}).toJson());
+    Emulator emulator({u"--config"_s, path, u"--control"_s});
+    QCOMPARE(emulator.ready().value("sensors"_L1).toArray().size(), 16);
+    for (int number = 1; number <= 16; ++number) {
+        const auto place = QByteArray::number(number);
+        const QJsonObject answer = answerTo(emulator, "sensor " + place + " workpiece at 0.0" + place);
+        QCOMPARE(answer.value("sensor"_L1).toInt(), number);
+    }
+    const QJsonArray states = answerTo(emulator, "status").value("sensors"_L1).toArray();
+    for (int number = 1; number <= 16; ++number) {
+        const int value = number < 10 ? 100 * number : 10 * number; // 0.0N mm
+        QCOMPARE(states.at(number - 1).toObject().value("measuredValue"_L1).toInt(), value);
+    }
+}
+
+void EmulatorProgramTest::aServerThatMovesSaysSo()
+{
+    Emulator emulator({u"--sensor"_s, u"HL-G203B-S-MK"_s, u"--modbus-port"_s, u"0"_s, u"--control"_s});
+    QTcpServer taken;
+    QVERIFY(taken.listen(QHostAddress::LocalHost));
+    const QByteArray port = QByteArray::number(taken.serverPort(), 16).rightJustified(4, '0');
+    QVERIFY(!ask(emulator.modbusPort(), "0001 0000 0006 01 06 0098 " + port).isEmpty());
+    QVERIFY(!ask(emulator.modbusPort(), "0001 0000 0006 01 06 00aa 0000").isEmpty()); // reset
+    QCOMPARE(answerTo(emulator, "status").value("modbusPort"_L1).toInt(), emulator.modbusPort());
+    const QByteArray told = emulator.errors();
+    QVERIFY2(told.contains(QByteArray::number(taken.serverPort())) && told.contains("stays on port"), told);
 }
 
 QTEST_GUILESS_MAIN(EmulatorProgramTest)
