@@ -1,8 +1,10 @@
 // lds-studio: the desktop tool.
 
+#include "demo_dock.h"
 #include "demo_sensor.h"
 #include "main_window.h"
 #include "modbus_link_factory.h"
+#include "panel_dock.h"
 #include "qt_scheduler.h"
 #include "screen_tour.h"
 #include "studio_options.h"
@@ -103,6 +105,10 @@ int run(QApplication& application, const StudioOptions& options, QSettings& sett
         QCoreApplication::exit(fail(u"The virtual sensor cannot start: %1"_s.arg(reason), Failed));
     });
     QObject::connect(&window, &ui::MainWindow::demoRequested, &demo.sensor(), &DemoSensor::start);
+    QObject::connect(&demo.sensor(), &DemoSensor::ready, &window, [&] {
+        window.addDock(new app::DemoDock(demo.sensor(), &window));
+        window.addDock(new app::PanelDock(demo.sensor(), &window));
+    });
     window.offerDemo();
     if (options.demo)
         demo.sensor().start();
