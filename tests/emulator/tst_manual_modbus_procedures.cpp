@@ -26,6 +26,7 @@ private Q_SLOTS:
     void brightnessTuningByItsRegisters();
     void brightnessTuningThatFailsByItsRegisters();
     void brightnessTuningThatCannotStartIsOtherError();
+    void neitherRunsAwayFromTheMeasurementDisplay();
 
 private:
     /// What is answered to the request, both as hexadecimal text.
@@ -122,6 +123,17 @@ void ManualModbusProceduresTest::brightnessTuningThatCannotStartIsOtherError()
     QVERIFY(isEchoed("06 0072 0003")); // hold mode: peak to peak
     QCOMPARE(ask("06 007d 0001"), "8604");
     QCOMPARE(ask(tuningState), "03020000");
+}
+
+void ManualModbusProceduresTest::neitherRunsAwayFromTheMeasurementDisplay()
+{
+    m_sensor->setInMenu(true);
+    for (const char* request : {"06 0087 0001", "06 007d 0001", "06 0089 0000", "06 0091 0000"})
+        QCOMPARE(ask(request), "8604");
+    m_sensor->setInMenu(false);
+    QCOMPARE(ask(teachingState), "03020000");
+    QCOMPARE(ask(tuningState), "03020000");
+    QCOMPARE(ask("03 007d 0001"), "03020000");
 }
 
 QTEST_GUILESS_MAIN(ManualModbusProceduresTest)

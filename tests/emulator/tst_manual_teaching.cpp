@@ -24,6 +24,7 @@ private Q_SLOTS:
     void onePointStaysInTheSettingRange();
     void theToleranceCountsForOnePointOnly();
     void aHysteresisBeyondTheToleranceLetsOnePointFail();
+    void beyondTheDisplayRangeItFails();
     void theModeDecidesHowManyPointsAreTaken_data();
     void theModeDecidesHowManyPointsAreTaken();
 
@@ -119,6 +120,19 @@ void ManualTeachingTest::aHysteresisBeyondTheToleranceLetsOnePointFail()
     QVERIFY(write(ItemId::Hysteresis, 1'999));
     QCOMPARE(teach({0}), int(Success));
     QCOMPARE(readNow(ItemId::HighSetValue), 2'000);
+}
+
+void ManualTeachingTest::beyondTheDisplayRangeItFails()
+{
+    for (const Value sign : {1, -1}) {
+        QVERIFY(write(ItemId::Offset, sign * 95'000));
+        m_sensor->placeWorkpiece(sign);
+        QCOMPARE(value(), sign * 9'600'000); // +OVER and -OVER
+        QCOMPARE(teach({sign}), int(Failed));
+        QCOMPARE(teach({0, sign}), int(Failed));
+        QCOMPARE(readNow(ItemId::HighSetValue), 50'000);
+        QCOMPARE(readNow(ItemId::LowSetValue), -50'000);
+    }
 }
 
 void ManualTeachingTest::theModeDecidesHowManyPointsAreTaken_data()
