@@ -3,6 +3,8 @@
 #include "catalog.h"
 #include "serial_choices.h"
 
+#include <algorithm>
+
 namespace lds::procedures {
 
 using sensor::SensorSession;
@@ -44,6 +46,13 @@ ChangeProblem CommunicationChange::obstacle(const ports::SerialSettings& serial,
         return ChangeProblem::NotPossibleNow;
     if (wanted.serial == serial && wanted.unit == unit)
         return ChangeProblem::NothingToChange;
+    const auto sharesPort = [this](const SensorSession* other) {
+        return other != m_session && other->connection() != sensor::Connection::Closed &&
+               other->url().protocol == ports::Protocol::ModbusRtu &&
+               other->url().host == m_session->url().host;
+    };
+    if (wanted.serial != serial && std::ranges::any_of(m_workspace.sessions(), sharesPort))
+        return ChangeProblem::OthersOnLine;
     wanted.unit = unit;
     const SensorSession* other = m_workspace.find(wanted);
     return other && other != m_session ? ChangeProblem::AddressInList : ChangeProblem::None;

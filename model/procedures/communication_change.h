@@ -17,6 +17,7 @@ enum class ChangeProblem : quint8 {
     None,
     NothingToChange,
     NotPossibleNow, ///< Not connected, for viewing only, busy, or somebody else holds the lease.
+    OthersOnLine,   ///< Speed or parity: other sensors on this port are connected, and it has one speed.
     AddressInList,  ///< Another sensor of the workspace has that address on this port.
     AddressAnswers, ///< Something on the line answers to that address already.
     PortFailed,     ///< The line could not be asked whether the address is free.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "modbus_rtu_framing.h"
 #include "scan_line.h"
 
 #include <functional>
@@ -54,7 +55,9 @@ public:
                 return;
             }
             const QByteArray bytes = m_script.answer(asked);
-            m_script.elapsedMs += bytes.isEmpty() ? windowMs : silenceMs;
+            const RtuRate rate{asked.serial.baud, asked.serial.bitsPerCharacter()};
+            m_script.elapsedMs += int(charactersNs(rate, asked.request.size() + bytes.size()) / 1'000'000) +
+                                  (bytes.isEmpty() ? windowMs : silenceMs);
             Q_EMIT heard(bytes);
         });
     }

@@ -183,6 +183,22 @@ private Q_SLOTS:
         QCOMPARE(m_change->obstacle(asDelivered, 1), ChangeProblem::NothingToChange);
     }
 
+    void aPortSharedWithOthersKeepsItsSpeed()
+    {
+        ConnectionUrl url = urlOf(asDelivered, 9);
+        m_links->place(url);
+        sensor::SensorSession* other = m_workspace->add(url);
+        QCOMPARE(m_change->obstacle(wanted, 7), ChangeProblem::None); // it is not connected
+        other->open();
+        support::settle();
+        QCOMPARE(m_change->obstacle(wanted, 7), ChangeProblem::OthersOnLine);
+        QCOMPARE(m_change->obstacle(wanted, 1), ChangeProblem::OthersOnLine);
+        QVERIFY(!begin(wanted, 7));
+        QCOMPARE(m_change->obstacle(asDelivered, 7), ChangeProblem::None); // an address is no speed
+        QVERIFY(begin(asDelivered, 7));
+        QCOMPARE(m_change->state(), State::Done);
+    }
+
     void anAddressThatAnswersIsRefusedBeforeAnythingIsWritten_data()
     {
         QTest::addColumn<ports::OpenFailure>("answer");

@@ -11,13 +11,13 @@ namespace {
 
 constexpr quint8 nobody = 248; ///< Reserved: no unit may have it.
 constexpr int mostLateAnswers = 3;
-constexpr int answerCharacters = 9;
 
-int windowMs(const ports::SerialSettings& serial, qsizetype requestSize, const ScanTiming& timing)
+/// For an answer's first byte, from the end of the request: its silence and one character belong to the line.
+int windowMs(const ports::SerialSettings& serial, const ScanTiming& timing)
 {
     constexpr qint64 nsPerMs = 1'000'000;
     const RtuRate rate{serial.baud, serial.bitsPerCharacter()};
-    const qint64 lineNs = charactersNs(rate, requestSize + answerCharacters) + frameSilenceNs(rate);
+    const qint64 lineNs = frameSilenceNs(rate) + charactersNs(rate, 1);
     return timing.answerMs + int((lineNs + nsPerMs - 1) / nsPerMs);
 }
 
@@ -107,7 +107,7 @@ void ModbusBusScan::ask(Phase phase)
 {
     const quint8 unit = phase == Phase::AskingNobody ? nobody : quint8(m_unit);
     const QByteArray request = scanRequest(unit);
-    exchange(phase, request, windowMs(serial(), request.size(), m_timing));
+    exchange(phase, request, windowMs(serial(), m_timing));
 }
 
 void ModbusBusScan::heard(const QByteArray& bytes)
@@ -155,7 +155,7 @@ void ModbusBusScan::judge(const ScanAnswer& answer)
             return ask(Phase::AskingAgain);
         if (m_noisy)
             return next(); // said already, and nothing can be told apart here
-        return exchange(Phase::ListeningForNoise, {}, windowMs(serial(), 0, m_timing));
+        return exchange(Phase::ListeningForNoise, {}, windowMs(serial(), m_timing));
     }
 }
 

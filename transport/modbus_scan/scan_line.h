@@ -18,8 +18,9 @@ public:
 
     /// Opens the port, or gives the open one other settings. Then opened() or failed().
     virtual void open(const QString& port, const ports::SerialSettings& serial) = 0;
-    /// Sends `request`, nothing when it is empty, and listens: for `windowMs` if nothing comes, else until
-    /// nothing has come for `silenceMs`. Then heard() or failed(). At most a few frames are kept.
+    /// Sends `request`, nothing when it is empty, and listens: for `windowMs` from the end of the request on
+    /// the line if nothing comes, else until nothing has come for `silenceMs`. Then heard() or failed(). At
+    /// most a few frames are kept.
     virtual void exchange(const QByteArray& request, int windowMs, int silenceMs) = 0;
     /// Gives the port back; no signal comes afterwards.
     virtual void close() = 0;

@@ -78,7 +78,6 @@ ChangeCommunicationDialog::ChangeCommunicationDialog(SensorSession& session,
                                                      QWidget* parent)
     : QDialog(parent)
     , m_session(&session)
-    , m_workspace(workspace)
     , m_change(session, workspace, links, scheduler)
 {
     setObjectName(QStringLiteral("changeCommunicationDialog"));
@@ -158,11 +157,11 @@ void ChangeCommunicationDialog::buildFields(QVBoxLayout* column)
     m_problem->setProperty("error", true);
     m_problem->setWordWrap(true);
     form->addRow(QString(), m_problem);
-    m_others = new QLabel(m_fields);
-    m_others->setObjectName(QStringLiteral("changeOthers"));
-    m_others->setProperty("muted", true);
-    m_others->setWordWrap(true);
-    form->addRow(m_others);
+    auto* hint =
+        new QLabel(tr("Saving stores all settings of the sensor as they are now, not only these."), m_fields);
+    hint->setProperty("muted", true);
+    hint->setWordWrap(true);
+    form->addRow(hint);
     column->addWidget(m_fields);
     connect(m_unit, &QSpinBox::valueChanged, this, &ChangeCommunicationDialog::refresh);
     connect(m_speed, &QComboBox::currentIndexChanged, this, &ChangeCommunicationDialog::refresh);
@@ -245,17 +244,6 @@ void ChangeCommunicationDialog::refresh()
     m_problem->setText(shown ? obstacleSentence(obstacle, unit()) : QString());
     m_problem->setVisible(shown);
 
-    const auto& sessions = m_workspace.sessions();
-    const auto others = std::ranges::count_if(sessions, [this](const SensorSession* other) {
-        return other != m_session && other->url().protocol == ports::Protocol::ModbusRtu &&
-               other->url().host == m_session->url().host;
-    });
-    const bool leavesOthers = others > 0 && serial() != m_session->url().serial && canBegin;
-    m_others->setText(
-        leavesOthers ? tr("Other sensors of the list on this port: %1. They keep their speed and parity; a "
-                          "controller reaches only those that speak as it does. Change them one by one.")
-                           .arg(others)
-                     : tr("Saving stores all settings of the sensor as they are now, not only these."));
     showSteps();
     showSentence();
     showButtons();

@@ -49,14 +49,12 @@ private:
     quint8 unit() const;
 
     QPointer<sensor::SensorSession> m_session;
-    const sensor::Workspace& m_workspace;
     procedures::CommunicationChange m_change;
     QWidget* m_fields = nullptr;
     QSpinBox* m_unit = nullptr;
     QComboBox* m_speed = nullptr;
     QComboBox* m_parity = nullptr;
     QLabel* m_problem = nullptr; ///< Beside the fields: why it cannot begin.
-    QLabel* m_others = nullptr;
     QList<StepLine> m_lines;
     QLabel* m_sentence = nullptr;
     QPushButton* m_close = nullptr;

@@ -70,6 +70,7 @@ QString problemSentence(const procedures::ChangeFailure& failure, const ports::C
     case ChangeProblem::None:
     case ChangeProblem::NothingToChange:
     case ChangeProblem::NotPossibleNow:
+    case ChangeProblem::OthersOnLine:
     case ChangeProblem::AddressInList:
     case ChangeProblem::AddressAnswers:
         return obstacleSentence(failure.problem, wanted.unit);
@@ -187,6 +188,10 @@ QString obstacleSentence(ChangeProblem problem, quint8 unit)
         return SerialTexts::tr(
             "The sensor cannot be changed now. Wait until it is connected and what is under "
             "way has ended.");
+    case ChangeProblem::OthersOnLine:
+        return SerialTexts::tr(
+            "Other sensors on this port are connected with the present speed and parity, and a "
+            "port has one at a time. Disconnect them first, then change them one by one.");
     case ChangeProblem::AddressInList:
         return SerialTexts::tr("Another sensor of the list has address %1 on this port. Choose another.")
             .arg(unit);

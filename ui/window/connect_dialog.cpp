@@ -16,11 +16,12 @@ namespace lds::ui {
 using sensor::Connection;
 using sensor::SensorSession;
 
-ConnectDialog::ConnectDialog(sensor::Workspace& workspace, RecentConnections recent, QWidget* parent)
+ConnectDialog::ConnectDialog(sensor::Workspace& workspace, RecentConnections recent,
+                             const ports::SerialPorts* ports, QWidget* parent)
     : QDialog(parent)
     , m_workspace(workspace)
     , m_recent(recent)
-    , m_form(new ConnectionForm(this))
+    , m_form(new ConnectionForm(ports, this))
     , m_progress(new QProgressBar(this))
     , m_state(new QLabel(this))
     , m_connect(new QPushButton(tr("Co&nnect"), this))
@@ -28,12 +29,12 @@ ConnectDialog::ConnectDialog(sensor::Workspace& workspace, RecentConnections rec
     setObjectName(QStringLiteral("connectDialog"));
     setWindowTitle(tr("Connect a sensor"));
     setAttribute(Qt::WA_DeleteOnClose);
-    setMinimumWidth(480);
+    setMinimumWidth(520);
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 16, 20, 16);
     column->setSpacing(12);
-    auto* title = new QLabel(tr("Connect a sensor over Modbus TCP"), this);
+    auto* title = new QLabel(tr("Connect a sensor"), this);
     title->setProperty("title", true);
     column->addWidget(title);
     column->addWidget(m_form);
@@ -61,6 +62,11 @@ ConnectDialog::ConnectDialog(sensor::Workspace& workspace, RecentConnections rec
     m_form->setFocus();
     connect(m_connect, &QPushButton::clicked, this, &ConnectDialog::start);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_form, &ConnectionForm::scanRequested, this, [this] {
+        const QString port = m_form->serialPort();
+        reject();
+        Q_EMIT scanRequested(port);
+    });
     connect(m_form, &ConnectionForm::edited, this, [this] {
         giveUp(); // what failed was asked for with other words
         m_state->hide();
@@ -98,26 +104,30 @@ void ConnectDialog::start()
 {
     if (m_progress->isVisible())
         return;
-    const auto url = m_form->check();
-    if (!url)
+    const QList<ports::ConnectionUrl> urls = m_form->checkAll();
+    if (urls.isEmpty())
         return;
+    const ports::ConnectionUrl& url = urls.first();
+    m_further = urls.sliced(1);
     if (m_session && m_session->connection() == Connection::Reconnecting) {
         setConnecting(true);
         m_session->retryNow();
         return;
     }
     const auto before = m_workspace.sessions();
-    m_session = m_workspace.add(*url, m_form->name());
+    m_session = m_workspace.add(url, m_form->nameFor(url));
     m_isNew = !before.contains(m_session);
-    if (!m_isNew && m_session->url().viewOnly != url->viewOnly) {
-        showFailure(url->viewOnly
+    if (!m_isNew && m_session->url().viewOnly != url.viewOnly) {
+        showFailure(url.viewOnly
                         ? tr("This sensor is in the list already, with writing. Remove it there first.")
                         : tr("This sensor is in the list already, for viewing only. Remove it there first."));
         m_session = nullptr;
         return;
     }
-    if (!m_isNew && url->sensor)
-        m_session->setModel(*url->sensor);
+    if (!m_isNew && url.sensor)
+        m_session->setModel(*url.sensor);
+    if (!m_isNew && m_session->url().serial != url.serial && !m_session->isReady())
+        m_session->moveTo(url);
     connect(m_session, &SensorSession::connectionChanged, this, &ConnectDialog::follow, Qt::UniqueConnection);
     setConnecting(true);
     if (m_session->connection() == Connection::Closed)
@@ -131,14 +141,12 @@ void ConnectDialog::follow()
         return;
     switch (m_session->connection()) {
     case Connection::Opening:
-        m_state->setText(tr("Connecting to %1…").arg(m_session->url().host));
+        m_state->setText(tr("Connecting to %1…").arg(m_session->url().place()));
         m_state->setVisible(true);
         return;
     case Connection::Reading:
     case Connection::Ready: // an HL-G2 has answered; the window shows how the reading goes
-        m_recent.add({m_session->url(), m_form->name()});
-        m_isNew = false;
-        accept();
+        connected();
         return;
     case Connection::Reconnecting: {
         if (m_session->linkReport().state == ports::LinkState::Opening)
@@ -150,6 +158,20 @@ void ConnectDialog::follow()
     case Connection::Closed:
         return;
     }
+}
+
+void ConnectDialog::connected()
+{
+    for (const ports::ConnectionUrl& url : std::as_const(m_further)) {
+        SensorSession* session = m_workspace.add(url, m_form->nameFor(url));
+        session->open();
+        m_recent.add({session->url(), m_form->nameFor(url)});
+    }
+    if (!m_further.isEmpty())
+        m_workspace.setCurrent(m_session);
+    m_recent.add({m_session->url(), m_form->nameFor(m_session->url())});
+    m_isNew = false;
+    accept();
 }
 
 void ConnectDialog::setConnecting(bool connecting)

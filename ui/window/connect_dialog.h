@@ -1,6 +1,7 @@
 #pragma once
 
 #include "recent_connections.h"
+#include "serial_ports.h"
 #include "workspace.h"
 
 #include <QDialog>
@@ -22,14 +23,20 @@ class ConnectDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    ConnectDialog(sensor::Workspace& workspace, RecentConnections recent, QWidget* parent = nullptr);
+    /// `ports` may be nullptr; else it outlives the dialog.
+    ConnectDialog(sensor::Workspace& workspace, RecentConnections recent,
+                  const ports::SerialPorts* ports = nullptr, QWidget* parent = nullptr);
 
     void done(int result) override;
+
+Q_SIGNALS:
+    void scanRequested(const QString& port); ///< The dialog has closed.
 
 private:
     void buildRecent(QVBoxLayout* column);
     void start();
     void follow();
+    void connected();
     void giveUp(); ///< Takes back a sensor that never answered.
     void showFailure(const QString& sentence);
     void setConnecting(bool connecting);
@@ -42,6 +49,7 @@ private:
     QLabel* m_state;
     QPushButton* m_connect;
     QPointer<sensor::SensorSession> m_session; ///< The one being connected.
+    QList<ports::ConnectionUrl> m_further;     ///< To be connected when the first one stands.
     bool m_isNew = false;                      ///< It is in the list only for this attempt.
 };
 

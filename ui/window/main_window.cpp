@@ -1,6 +1,7 @@
 #include "main_window.h"
 
 #include "banner_area.h"
+#include "change_communication_dialog.h"
 #include "command_desk.h"
 #include "connect_dialog.h"
 #include "empty_page.h"
@@ -8,6 +9,7 @@
 #include "messages_page.h"
 #include "readout.h"
 #include "review_dialog.h"
+#include "scan_dialog.h"
 #include "sensors_panel.h"
 #include "session_notices.h"
 #include "settings_page.h"
@@ -67,6 +69,11 @@ struct MainWindow::Private {
     StatusLine* status = nullptr;
     QPointer<ConnectDialog> connectDialog = nullptr;
     QPointer<ReviewDialog> reviewDialog = nullptr;
+    QPointer<ScanDialog> scanDialog = nullptr;
+    QPointer<ChangeCommunicationDialog> changeDialog = nullptr;
+    const ports::SerialPorts* serialPorts = nullptr;
+    ports::BusScanFactory* scans = nullptr;
+    ports::LinkFactory* links = nullptr;
     bool leaving = false; ///< The person has been asked.
 };
 
@@ -155,6 +162,8 @@ void MainWindow::connectActions()
     const WindowActions& a = *d->actions;
     connect(a.connectSensor, &QAction::triggered, this, &MainWindow::openConnectDialog);
     connect(a.demo, &QAction::triggered, this, &MainWindow::demoRequested);
+    connect(a.scan, &QAction::triggered, this, [this] { openScan(); });
+    connect(a.changeCommunication, &QAction::triggered, this, &MainWindow::openChangeCommunication);
     connect(a.openConnection, &QAction::triggered, this, [this] {
         if (!d->session)
             return;
@@ -278,6 +287,7 @@ void MainWindow::watchSession(SensorSession* session)
     connect(session, &SensorSession::savedChanged, this, update);
     connect(session, &SensorSession::heldChanged, this, update);
     connect(session, &SensorSession::identityChanged, this, update);
+    connect(session, &SensorSession::identityChanged, this, mine([this] { showPeer(); }));
     connect(session, &SensorSession::measured, this, mine([this] { updateLaser(); }));
 }
 
@@ -291,15 +301,16 @@ void MainWindow::setSession(SensorSession* session)
     d->trendPage->setSession(session);
     d->status->setSession(session);
     d->notices->setSession(session);
-    if (session) {
-        ports::ConnectionUrl peer;
-        peer.protocol = session->url().protocol;
-        peer.host = session->url().host;
-        peer.port = session->url().port;
-        d->messagesPage->setPeer(peer.toString());
-    }
+    showPeer();
     d->stack->setCurrentWidget(session ? static_cast<QWidget*>(d->tabs) : d->emptyPage);
     updateActions();
+}
+
+/// The messages page is told whose messages it shows; a sensor can move to another address.
+void MainWindow::showPeer()
+{
+    if (d->session)
+        d->messagesPage->setPeer(d->session->url().peer().toString());
 }
 
 void MainWindow::updateActions()
@@ -320,6 +331,9 @@ void MainWindow::updateActions()
     for (QAction* action :
          {a.saveInSensor, a.zeroSet, a.zeroClear, a.resetValue, a.laser, a.keyLock, a.communicationReset})
         action->setEnabled(canRun);
+    const bool onSerial = exists && session->url().protocol == ports::Protocol::ModbusRtu;
+    a.changeCommunication->setVisible(d->links != nullptr);
+    a.changeCommunication->setEnabled(canRun && onSerial);
     for (QActionGroup* group : {a.banks, a.bankCopies, a.initializations})
         group->setEnabled(canRun);
 
@@ -386,8 +400,44 @@ void MainWindow::openConnectDialog()
 {
     if (d->connectDialog)
         return;
-    d->connectDialog = new ConnectDialog(d->workspace, RecentConnections(d->settings), this);
+    d->connectDialog = new ConnectDialog(d->workspace, RecentConnections(d->settings), d->serialPorts, this);
+    connect(d->connectDialog, &ConnectDialog::scanRequested, this, &MainWindow::openScan);
     d->connectDialog->open();
+}
+
+void MainWindow::setSerial(const ports::SerialPorts& ports, ports::BusScanFactory& scans,
+                           ports::LinkFactory& links)
+{
+    d->serialPorts = &ports;
+    d->scans = &scans;
+    d->links = &links;
+    d->actions->scan->setVisible(true);
+    updateActions();
+}
+
+void MainWindow::openScan(const QString& port)
+{
+    if (!d->scans || d->scanDialog)
+        return;
+    d->scanDialog = new ScanDialog(d->workspace, d->serialPorts, *d->scans, d->scheduler, this);
+    if (!port.isEmpty())
+        d->scanDialog->setPort(port);
+    connect(d->scanDialog, &ScanDialog::sensorAdded, this, [this](const ports::ConnectionUrl& url) {
+        RecentConnections(d->settings).add({url, {}});
+    });
+    d->scanDialog->open();
+}
+
+void MainWindow::openChangeCommunication()
+{
+    if (!d->session || !d->links || d->changeDialog)
+        return;
+    d->changeDialog = new ChangeCommunicationDialog(*d->session, d->workspace, *d->links, d->scheduler, this);
+    connect(d->changeDialog, &ChangeCommunicationDialog::moved, this,
+            [this](const ports::ConnectionUrl& url) {
+                RecentConnections(d->settings).add({url, {}});
+            });
+    d->changeDialog->open();
 }
 
 void MainWindow::openReview()
@@ -416,7 +466,7 @@ void MainWindow::openRename()
     dialog->setObjectName(QStringLiteral("renameDialog"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Rename"));
-    dialog->setLabelText(tr("Name of the sensor at %1:").arg(d->session->url().host));
+    dialog->setLabelText(tr("Name of the sensor at %1:").arg(d->session->url().place()));
     dialog->setTextValue(d->session->name());
     connect(dialog, &QInputDialog::textValueSelected, d->session, &SensorSession::setName);
     dialog->open();

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "bus_scan.h"
 #include "message_log.h"
+#include "serial_ports.h"
 #include "workspace.h"
 
 #include <memory>
@@ -26,7 +28,12 @@ public:
     void offerDemo();
     /// A dock of the program's own, to be found in the View menu; hidden unless it was left open.
     void addDock(QDockWidget* dock);
+    /// What RS-485 needs: the ports to choose from, scans of a line, and links for the guided change of a
+    /// sensor's settings on it. Without it there is neither scan nor guided change, and ports are typed.
+    void setSerial(const ports::SerialPorts& ports, ports::BusScanFactory& scans, ports::LinkFactory& links);
     void openConnectDialog();
+    void openScan(const QString& port = {});
+    void openChangeCommunication();
     void openReview();
 
 Q_SIGNALS:
@@ -42,6 +49,7 @@ private:
     void connectViewActions();
     void watchSession(sensor::SensorSession* session);
     void setSession(sensor::SensorSession* session);
+    void showPeer();
     void updateActions();
     void updateLaser();
     void updateTitle();

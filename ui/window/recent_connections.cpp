@@ -1,5 +1,7 @@
 #include "recent_connections.h"
 
+#include "workspace.h"
+
 #include <QSettings>
 
 namespace lds::ui {
@@ -30,9 +32,8 @@ QList<RecentConnection> RecentConnections::list() const
 void RecentConnections::add(const RecentConnection& connection)
 {
     QList<RecentConnection> connections = list();
-    connections.removeIf([&](const RecentConnection& other) {
-        return other.url.host == connection.url.host && other.url.port == connection.url.port;
-    });
+    connections.removeIf(
+        [&](const RecentConnection& other) { return sensor::isSameSensor(other.url, connection.url); });
     connections.prepend(connection);
     if (connections.size() > most)
         connections.resize(most);

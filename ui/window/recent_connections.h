@@ -14,7 +14,7 @@ struct RecentConnection {
     QString name; ///< Empty when the person gave none.
 };
 
-/// The connections made last, newest first, one for each host and port.
+/// The connections made last, newest first, one for each sensor (sensor::isSameSensor).
 class RecentConnections final {
 public:
     explicit RecentConnections(QSettings& settings);

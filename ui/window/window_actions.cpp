@@ -52,6 +52,9 @@ void WindowActions::makeSensorActions()
         make("connect", tr("&Connect…"), QStringLiteral("connect"), tr("Connect a sensor by its address"));
     connectSensor->setShortcut(Qt::CTRL | Qt::Key_K);
     connectSensor->setIconText(tr("Connect…"));
+    scan = make("scan", tr("Scan an RS-&485 line…"), QStringLiteral("search"),
+                tr("Finds sensors by speed, parity and address"));
+    scan->setVisible(false);
     demo = make("demo", tr("Try with a &virtual sensor"), QStringLiteral("play"),
                 tr("Connects a sensor that this program simulates"));
     demo->setVisible(false);
@@ -59,6 +62,8 @@ void WindowActions::makeSensorActions()
                           tr("Connects the selected sensor now"));
     closeConnection = make("closeConnection", tr("&Disconnect"), QStringLiteral("disconnect"),
                            tr("Ends the connection; edits not applied stay"));
+    changeCommunication = make("changeCommunication", tr("Change address, speed and parit&y…"), {},
+                               tr("Writes, saves, resets and reconnects in one step; for sensors on RS-485"));
     rename = make("rename", tr("Re&name…"), QStringLiteral("edit"), tr("Gives the sensor a name of its own"));
     remove = make("remove", tr("Remove from the &list"), QStringLiteral("remove"),
                   tr("Takes the sensor off the list; the sensor itself stays as it is"));
@@ -151,12 +156,12 @@ void WindowActions::makeViewActions()
 void WindowActions::buildMenus(QMenuBar* bar, QAction* dockToggle)
 {
     QMenu* sensor = bar->addMenu(tr("&Sensor"));
-    sensor->addActions({connectSensor, demo});
+    sensor->addActions({connectSensor, scan, demo});
     sensor->addSeparator();
     sensor->addActions({openConnection, closeConnection});
     m_typeMenu = sensor->addMenu(tr("&Type"));
     m_typeMenu->addActions(types->actions());
-    sensor->addActions({rename, remove});
+    sensor->addActions({changeCommunication, rename, remove});
     sensor->addSeparator();
     sensor->addActions({readAll, saveInSensor});
     sensor->addSeparator();

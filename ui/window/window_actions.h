@@ -20,9 +20,11 @@ public:
 
     // Sensor
     QAction* connectSensor;
+    QAction* scan;           ///< Invisible until there is something to scan with.
     QAction* demo;           ///< Invisible until somebody offers a virtual sensor.
     QAction* openConnection; ///< Connect the sensor of the list again, or now.
     QAction* closeConnection;
+    QAction* changeCommunication; ///< Address, speed and parity on RS-485, guided.
     QAction* rename;
     QAction* remove;
     QAction* readAll;
