@@ -379,9 +379,10 @@ void MainWindow::offerDemo() { d->actions->demo->setVisible(true); }
 
 void MainWindow::addDock(QDockWidget* dock)
 {
-    addDockWidget(Qt::RightDockWidgetArea, dock);
-    dock->hide();
-    restoreDockWidget(dock);
+    if (!restoreDockWidget(dock)) { // adding it first would forget its place
+        addDockWidget(Qt::RightDockWidgetArea, dock);
+        dock->hide();
+    }
     QMenu* view = d->actions->viewMenu(); // beside the other dock, before the themes
     view->insertAction(view->actions().last(), dock->toggleViewAction());
 }
