@@ -87,6 +87,7 @@ void ModbusLink::doOpen()
     m_queue.resetDroppedPolls();
     m_pollRefusal = FailureCode::None;
     m_wantedPollMs = 0;
+    m_pollOverdue = false;
     m_probeRepeated = false;
     report({LinkState::Opening, OpenFailure::None, QString(), true});
     m_connection->open(m_timing.connectMs);
@@ -95,7 +96,7 @@ void ModbusLink::doOpen()
 void ModbusLink::probe()
 {
     const Request request = readRequest(packReads({catalog::ItemId::Span}).constFirst());
-    exchange(request, Turn::Background, m_timing.probeMs, &ModbusLink::onProbed);
+    exchange(request, Turn::Procedure, m_timing.probeMs, &ModbusLink::onProbed);
 }
 
 void ModbusLink::onProbed(const Exchange& exchange)
@@ -174,6 +175,7 @@ void ModbusLink::doSubmit(const ports::Request& request)
         finishRefused(request, Failure{FailureCode::NotConnected, 0, QString()});
     } else {
         m_queue.add(request);
+        m_connection->hurry(turnOf(request.urgency)); // What is under way stands in its way.
         pump();
     }
 }
@@ -296,19 +298,27 @@ void ModbusLink::doPoll(int intervalMs)
 void ModbusLink::onTick(quint64 missed)
 {
     m_queue.countDropped(missed);
-    if (m_queue.addPoll())
-        pump();
+    if (!m_connection->isShared()) {
+        if (m_queue.addPoll())
+            pump();
+    } else if (!m_connection->isBusy(Turn::Poll)) {
+        sendPoll();
+    } else if (std::exchange(m_pollOverdue, true)) {
+        m_queue.countDropped(1);
+    }
 }
 
 void ModbusLink::sendPoll()
 {
     static const Request request = readRequest(measurementRange());
+    m_pollOverdue = false;
     exchange(request, Turn::Poll, m_timing.requestMs, &ModbusLink::onPolled);
 }
 
 void ModbusLink::onPolled(const Exchange& exchange)
 {
-    m_queue.finished();
+    if (!m_connection->isShared())
+        m_queue.finished();
     if (exchange.result) {
         ++m_statistics.answered;
         m_lastAnswerNs = exchange.endedNs;
@@ -328,7 +338,18 @@ void ModbusLink::onPolled(const Exchange& exchange)
         if (isLostInSilence(exchange))
             return;
     }
-    pump();
+    if (m_connection->isShared())
+        makeUpForPoll();
+    else
+        pump();
+}
+
+/// On a busy bus a poll may take longer than the interval. Waiting for the next tick would leave the bus
+/// idle, at worst for half the time; one poll at most is made up for.
+void ModbusLink::makeUpForPoll()
+{
+    if (m_pollOverdue && m_ticker.isRunning() && m_connection->isOpen())
+        sendPoll();
 }
 
 /// Says when polls begin to be refused, when the reason changes, and when they succeed again.

@@ -77,6 +77,7 @@ private:
     void onTick(quint64 missed);
     void sendPoll();
     void onPolled(const Exchange& exchange);
+    void makeUpForPoll();
     void reportPoll(const ports::Failure& failure);
     void flush();
 
@@ -94,7 +95,8 @@ private:
     std::optional<Active> m_active;
     bool m_probeRepeated = false;
     qint64 m_lastAnswerNs = 0;
-    int m_wantedPollMs = 0; ///< Asked for while opening.
+    int m_wantedPollMs = 0;     ///< Asked for while opening.
+    bool m_pollOverdue = false; ///< On a shared line: the next has fallen due while one is under way.
     ports::PollStatistics m_statistics;
     ports::FailureCode m_pollRefusal = ports::FailureCode::None;
     measurement::MeasurementBatch m_batch;

@@ -86,7 +86,7 @@ void TcpConnection::close(const QString& reason)
 
 void TcpConnection::send(const Request& request, Turn, int timeoutMs, const Ended& ended)
 {
-    Q_ASSERT(isOpen() && !isBusy());
+    Q_ASSERT(isOpen() && !m_exchange);
     m_exchange = Pending{request, ended, m_nextTransaction, m_scheduler.nowNs(), 0};
     const QByteArray pdu = encodeRequest(request);
     const QModbusRequest raw(QModbusPdu::FunctionCode(request.function), pdu.sliced(1));

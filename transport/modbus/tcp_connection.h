@@ -34,7 +34,7 @@ public:
     bool isOpen() const override { return m_state == State::Open; }
     /// The turn means nothing: whatever waits, waits in the link.
     void send(const Request& request, Turn turn, int timeoutMs, const Ended& ended) override;
-    bool isBusy() const override { return m_exchange.has_value(); }
+    bool isBusy(Turn) const override { return m_exchange.has_value(); }
 
 private:
     enum class State { Closed, Opening, Open };

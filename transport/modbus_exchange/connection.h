@@ -37,16 +37,15 @@ public:
     virtual void close(const QString& reason) = 0;
     virtual bool isOpen() const = 0;
 
-    /// When open and not busy. `ended` is called exactly once unless close() or withdraw() comes first.
+    /// When open and not busy for that turn. `ended` is called exactly once unless close() comes first.
     /// `timeoutMs` is the sensor's time to answer; what the line itself takes is added where it counts.
     virtual void send(const Request& request, Turn turn, int timeoutMs, const Ended& ended) = 0;
-    virtual bool isBusy() const = 0;
+    virtual bool isBusy(Turn turn) const = 0;
 
-    /// Whether a request may have to wait for those of other sensors.
+    /// Whether exchanges wait for those of other sensors. Then a poll and a request may be waiting at the
+    /// same time, and a request that waits long does not hold up the polls.
     virtual bool isShared() const { return false; }
-    /// Takes back the request when nothing of it has gone out yet; its `ended` is then not called.
-    virtual bool withdraw() { return false; }
-    /// Lets the request wait no longer than one of `turn` would. Never makes it wait longer.
+    /// Lets the request that is waiting wait no longer than one of `turn` would. Never the other way.
     virtual void hurry(Turn turn) { Q_UNUSED(turn) }
 
 Q_SIGNALS:

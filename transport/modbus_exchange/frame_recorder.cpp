@@ -20,6 +20,42 @@ QString placeOf(const ports::ConnectionUrl& url)
         .arg(url.serial.stopBits());
 }
 
+FrameMeaning sentMeaning(Function function)
+{
+    switch (function) {
+    case Function::ReadCoils:
+        return FrameMeaning::ReadCoils;
+    case Function::ReadHoldingRegisters:
+        return FrameMeaning::Read;
+    case Function::WriteSingleRegister:
+    case Function::WriteMultipleRegisters:
+        break;
+    }
+    return FrameMeaning::Write;
+}
+
+FrameMeaning answeredMeaning(Function function)
+{
+    switch (function) {
+    case Function::ReadCoils:
+        return FrameMeaning::AnswerCoils;
+    case Function::ReadHoldingRegisters:
+        return FrameMeaning::Answer;
+    case Function::WriteSingleRegister:
+    case Function::WriteMultipleRegisters:
+        break;
+    }
+    return FrameMeaning::Written;
+}
+
+QString coilTexts(int firstCoil, const QList<bool>& coils)
+{
+    QStringList texts;
+    for (qsizetype i = 0; i < coils.size(); ++i)
+        texts.append(QStringLiteral("%1=%2").arg(firstCoil + i).arg(int(coils.at(i))));
+    return texts.join(QLatin1String(", "));
+}
+
 bool isWrite(const Request& request)
 {
     return request.function == Function::WriteSingleRegister ||
@@ -53,18 +89,18 @@ void FrameRecorder::sent(const Request& request, const QByteArray& bytes, int re
     QStringList arguments = range(request);
     if (isWrite(request))
         arguments.append(values(request, request.registers));
-    record(Direction::Sent, isWrite(request) ? FrameMeaning::Write : FrameMeaning::Read, arguments, bytes, -1,
-           reconstructedPrefix);
+    record(Direction::Sent, sentMeaning(request.function), arguments, bytes, -1, reconstructedPrefix);
 }
 
 void FrameRecorder::answered(const Request& request, const Response& response, const QByteArray& bytes,
                              qint64 roundTripNs)
 {
     QStringList arguments = range(request);
-    if (!isWrite(request))
+    if (request.function == Function::ReadCoils)
+        arguments.append(coilTexts(request.address + 1, response.coils));
+    else if (!isWrite(request))
         arguments.append(values(request, response.registers));
-    record(Direction::Received, isWrite(request) ? FrameMeaning::Written : FrameMeaning::Answer, arguments,
-           bytes, roundTripNs);
+    record(Direction::Received, answeredMeaning(request.function), arguments, bytes, roundTripNs);
 }
 
 void FrameRecorder::refused(const Request& request, quint8 exceptionCode, const QByteArray& bytes,
@@ -103,8 +139,10 @@ void FrameRecorder::record(Direction direction, FrameMeaning meaning, const QStr
 
 QStringList FrameRecorder::range(const Request& request) const
 {
-    return {QString::number(printedRegister(request.address)),
-            QString::number(printedRegister(request.address + request.count - 1))};
+    const int last = request.address + request.count - 1;
+    if (request.function == Function::ReadCoils) // Coils are numbered from 1 (§6.3.4).
+        return {QString::number(request.address + 1), QString::number(last + 1)};
+    return {QString::number(printedRegister(request.address)), QString::number(printedRegister(last))};
 }
 
 QString FrameRecorder::values(const Request& request, const QList<quint16>& registers) const

@@ -40,42 +40,33 @@ void BusMember::close(const QString& reason)
     if (!m_bus)
         return;
     m_bus->disconnect(this);
-    if (m_busy)
-        m_bus->forget(m_ticket);
-    m_busy = false;
+    for (const Turn turn : {Turn::Person, Turn::Poll})
+        m_bus->forget(std::exchange(place(turn), 0));
     m_bus.reset();
     m_recorder.disconnected(reason);
 }
 
 void BusMember::send(const Request& request, Turn turn, int timeoutMs, const Ended& ended)
 {
-    Q_ASSERT(isOpen() && !isBusy());
-    m_busy = true;
-    m_ticket = m_bus->ask(
-        {m_url.unit, turn, request, timeoutMs, &m_recorder, [this, ended](const Exchange& exchange) {
-             m_busy = false;
+    Q_ASSERT(isOpen() && !isBusy(turn));
+    place(turn) = m_bus->ask(
+        {m_url.unit, turn, request, timeoutMs, &m_recorder, [this, turn, ended](const Exchange& exchange) {
+             place(turn) = 0;
              ended(exchange);
          }});
 }
 
-bool BusMember::withdraw()
-{
-    if (!m_busy || !m_bus->withdraw(m_ticket))
-        return false;
-    m_busy = false;
-    return true;
-}
-
 void BusMember::hurry(Turn turn)
 {
-    if (m_busy)
-        m_bus->hurry(m_ticket, turn);
+    if (m_request != 0)
+        m_bus->hurry(m_request, turn);
 }
 
 void BusMember::onLost(ports::OpenFailure failure, const QString& detail)
 {
     m_bus->disconnect(this);
     m_bus.reset();
+    m_request = m_poll = 0;
     m_recorder.disconnected(detail);
     Q_EMIT lost(failure, detail);
 }

@@ -19,20 +19,22 @@ public:
     void close(const QString& reason) override;
     bool isOpen() const override { return m_bus && m_bus->isOpen(); }
     void send(const Request& request, Turn turn, int timeoutMs, const Ended& ended) override;
-    bool isBusy() const override { return m_busy; }
+    bool isBusy(Turn turn) const override { return place(turn) != 0; }
     bool isShared() const override { return true; }
-    bool withdraw() override;
     void hurry(Turn turn) override;
 
 private:
+    /// The ticket of the poll, or of the request, under way; 0 when there is none.
+    Ticket& place(Turn turn) { return turn == Turn::Poll ? m_poll : m_request; }
+    Ticket place(Turn turn) const { return turn == Turn::Poll ? m_poll : m_request; }
     void onLost(ports::OpenFailure failure, const QString& detail);
 
     const ports::ConnectionUrl m_url;
     FrameRecorder& m_recorder;
     const std::shared_ptr<RtuBusPool> m_pool;
     std::shared_ptr<RtuBus> m_bus; ///< While open.
-    Ticket m_ticket = 0;
-    bool m_busy = false;
+    Ticket m_request = 0;
+    Ticket m_poll = 0;
 };
 
 } // namespace lds::modbus

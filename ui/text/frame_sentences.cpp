@@ -52,6 +52,12 @@ QString malformedWords(const QString& what)
         return Sentences::tr("the answer of another unit");
     if (what == QStringLiteral("header"))
         return Sentences::tr("no Modbus TCP message");
+    if (what == QStringLiteral("noise"))
+        return Sentences::tr("a broken message or noise on the line");
+    if (what == QStringLiteral("late"))
+        return Sentences::tr("an answer that came too late");
+    if (what == QStringLiteral("trailing"))
+        return Sentences::tr("an answer with more bytes behind it");
     return what.isEmpty() ? Sentences::tr("not readable") : what;
 }
 
