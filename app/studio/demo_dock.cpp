@@ -113,14 +113,14 @@ DemoDock::DemoDock(emulator::DemoSensor& sensor, QWidget* parent)
     connect(&ui::Theme::instance(), &ui::Theme::changed, content, paintPanel);
     paintPanel();
 
-    const auto showState = [this, scroll] {
+    const auto enableAndShow = [this, scroll] {
         scroll->setEnabled(true);
-        show(m_sensor.state());
+        showState(m_sensor.state());
     };
-    connect(&sensor, &emulator::DemoSensor::stateChanged, this, showState);
+    connect(&sensor, &emulator::DemoSensor::stateChanged, this, enableAndShow);
     connect(&sensor, &emulator::DemoSensor::sceneRefused, this, &DemoDock::showError);
     if (!sensor.state().faults.isEmpty())
-        showState();
+        enableAndShow();
 }
 
 void DemoDock::addScenes(QVBoxLayout& column)
@@ -224,7 +224,7 @@ void DemoDock::addFaults(QVBoxLayout& column)
     column.addWidget(group);
 }
 
-void DemoDock::show(const StationState& state)
+void DemoDock::showState(const StationState& state)
 {
     showScene(state);
     showWorkpieces(state);
@@ -292,7 +292,7 @@ void DemoDock::showError(const QString& reason)
     m_error->setText(reason);
     m_error->show();
     if (!m_sensor.state().faults.isEmpty())
-        show(m_sensor.state()); // the scene that stayed
+        showState(m_sensor.state()); // the scene that stayed
 }
 
 } // namespace lds::app

@@ -29,7 +29,7 @@ private:
     void addButtons(QVBoxLayout& column);
     void chooseFile();
     void holdChosenWorkpiece(int index);
-    void show(const emulator::StationState& state);
+    void showState(const emulator::StationState& state);
     void showScene(const emulator::StationState& state);
     void showWorkpieces(const emulator::StationState& state);
     void showFault(QCheckBox& box, const emulator::StationState::Fault& fault);
