@@ -2,8 +2,6 @@
 
 #include "display_content.h"
 
-#include <QList>
-
 namespace lds::emulator {
 
 /// The display's words in its three languages (§4.8.4). They belong to the sensor, not to the program, so

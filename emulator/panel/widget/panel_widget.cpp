@@ -6,9 +6,7 @@
 
 #include <QFrame>
 #include <QHBoxLayout>
-#include <QHideEvent>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>

@@ -7,7 +7,6 @@
 #include <optional>
 #include <QHash>
 #include <QList>
-#include <QPointer>
 #include <QWidget>
 
 class QBoxLayout;
