@@ -168,8 +168,9 @@ private:
     bool setZero(bool on);
     bool copyBank(catalog::Value combination);
     bool saveMemory(const SettingsMemory& memory);
-    /// Of the bank in use, with what stands beside the item in memory.
-    bool saveItem(catalog::ItemId id);
+    /// Of the bank in use, with what stands beside the items in memory.
+    bool saveItems(const QList<catalog::ItemId>& ids);
+    bool isSavedAtOnce(catalog::ItemId id) const;
     bool initialize(catalog::Value what);
     void store(catalog::ItemId id, catalog::Value value, SettingsMemory& memory) const;
 

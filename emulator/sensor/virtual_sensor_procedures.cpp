@@ -65,10 +65,8 @@ void VirtualSensor::finishTeaching(const TaughtWindow& window)
 {
     m_memory.setValue(ItemId::HighSetValue, window.high);
     m_memory.setValue(ItemId::LowSetValue, window.low);
-    if (m_teaching.operatedBy() == Operator::Keys) {
-        saveItem(ItemId::HighSetValue);
-        saveItem(ItemId::LowSetValue);
-    }
+    if (m_teaching.operatedBy() == Operator::Keys)
+        saveItems({ItemId::HighSetValue, ItemId::LowSetValue});
     refresh();
 }
 
@@ -123,7 +121,7 @@ void VirtualSensor::finishTuning(const BrightnessRange& range)
 {
     m_memory.setTunedBrightness(m_memory.bank(), range);
     if (m_tuning.operatedBy() == Operator::Keys)
-        saveItem(ItemId::BrightnessTuning);
+        saveItems({ItemId::BrightnessTuning});
     applySettings();
 }
 

@@ -52,28 +52,36 @@ WriteOutcome VirtualSensor::carryOutAll(const QList<ItemWrite>& writes, Operator
         return {0, Refusal::Data, key + QStringLiteral(": ") + judged.error().reason};
     }
     WriteOutcome outcome;
+    QList<ItemId> toSave;
     for (const ItemWrite& write : *judged) {
         if (by == Operator::Communication)
             ++m_writeCounts[write.item];
         if (m_failing.contains(write.item) || !carryOut(write, by)) {
             outcome.refusal = Refusal::Failed;
             outcome.reason = QString::fromLatin1(hlG2(write.item).key) + QStringLiteral(": writing failed");
-            return outcome;
+            break;
         }
         ++outcome.written;
+        if (by == Operator::Keys && isSavedAtOnce(write.item))
+            toSave.append(write.item);
         Q_EMIT written(write.item, write.value);
+    }
+    if (!toSave.isEmpty() && !saveItems(toSave)) {
+        outcome.refusal = Refusal::Failed;
+        outcome.reason = QStringLiteral("saving failed");
     }
     return outcome;
 }
 
+/// Tuning that has just been started is saved at its end.
+bool VirtualSensor::isSavedAtOnce(ItemId id) const
+{
+    return SettingsMemory::holds(hlG2(id)) && !(id == ItemId::BrightnessTuning && m_tuning.isExecuting());
+}
+
 bool VirtualSensor::carryOut(const ItemWrite& write, Operator by)
 {
-    if (!SettingsMemory::holds(hlG2(write.item)))
-        return carryOutCommand(write, by);
-    if (!carryOutStored(write, by))
-        return false;
-    const bool goesOn = write.item == ItemId::BrightnessTuning && m_tuning.isExecuting(); // saved at its end
-    return by == Operator::Communication || goesOn || saveItem(write.item);
+    return SettingsMemory::holds(hlG2(write.item)) ? carryOutStored(write, by) : carryOutCommand(write, by);
 }
 
 bool VirtualSensor::carryOutStored(const ItemWrite& write, Operator by)
@@ -227,23 +235,29 @@ void VirtualSensor::breakOff()
     refresh();
 }
 
-bool VirtualSensor::saveItem(ItemId id)
+/// All of them with one write to the memory: an address is there whole or not at all.
+bool VirtualSensor::saveItems(const QList<ItemId>& ids)
 {
     const int bank = m_memory.bank();
     SettingsMemory saved = m_saved;
-    store(id, m_memory.value(id), saved);
-    if (id == ItemId::ZeroSetting)
-        saved.setZeroCorrection(bank, m_memory.zeroCorrection(bank));
-    if (id == ItemId::BrightnessTuning)
-        saved.setTunedBrightness(bank, m_memory.tunedBrightness(bank));
+    for (const ItemId id : ids) {
+        store(id, m_memory.value(id), saved);
+        if (id == ItemId::ZeroSetting)
+            saved.setZeroCorrection(bank, m_memory.zeroCorrection(bank));
+        if (id == ItemId::BrightnessTuning)
+            saved.setTunedBrightness(bank, m_memory.tunedBrightness(bank));
+    }
     return saveMemory(saved);
 }
 
 void VirtualSensor::changeByKeypad(ItemId id, Value value)
 {
     catchUp();
-    if (carryOut({id, value}, Operator::Keys))
-        Q_EMIT written(id, value);
+    if (!carryOut({id, value}, Operator::Keys))
+        return;
+    if (isSavedAtOnce(id))
+        saveItems({id});
+    Q_EMIT written(id, value);
 }
 
 void VirtualSensor::setInputPolarity(InputPolarity polarity)

@@ -3,6 +3,7 @@
 #include "network_conditions.h"
 
 #include <algorithm>
+#include <array>
 
 namespace lds::emulator {
 
@@ -11,7 +12,12 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr Value reservedPort = 44818; ///< §5.2.1 note 1
+constexpr Value reservedPort = 44818;                                       ///< §5.2.1 note 1
+constexpr std::array<Value, 3> reservedSlmpPorts{2222, 9090, reservedPort}; ///< §5.4.1 note 4
+constexpr Value ownNetwork = 0;                                             ///< §5.4.1 notes 6 and 7
+constexpr Value ownNode = 255;
+constexpr Value lastNode = 120;
+constexpr std::array<Value, 2> furtherNodes{125, 126};
 
 using Judged = tl::expected<void, Objection>;
 
@@ -51,6 +57,21 @@ Judged judgePorts(const SettingsMemory& memory)
     }
     if (memory.value(ItemId::PortModbus) == memory.value(ItemId::PortTool))
         return objection(ItemId::PortModbus, u"both ports have the same number (§5.2.1)"_s);
+    return {};
+}
+
+/// §5.4.1 notes 4, 6 and 7: what only the keys reach.
+Judged judgeSlmp(const SettingsMemory& memory)
+{
+    const auto isOneOf = [](const auto& values, Value value) {
+        return std::find(values.begin(), values.end(), value) != values.end();
+    };
+    if (isOneOf(reservedSlmpPorts, memory.value(ItemId::PortSlmp)))
+        return objection(ItemId::PortSlmp, u"the port is used for other purposes (§5.4.1)"_s);
+    const Value node = memory.value(ItemId::NodeNumber);
+    const bool isFurther = (node >= 1 && node <= lastNode) || isOneOf(furtherNodes, node);
+    if (memory.value(ItemId::NetworkNumber) == ownNetwork ? node != ownNode : !isFurther)
+        return objection(ItemId::NodeNumber, u"the network has no such node (§5.4.1)"_s);
     return {};
 }
 
@@ -100,6 +121,8 @@ Judged judgeTogether(const SettingsMemory& after, const QList<ItemWrite>& writes
         judged = judgeTrigger(after, bank);
     if (judged && writesOneOf(writes, {ItemId::PortModbus, ItemId::PortTool}))
         judged = judgePorts(after);
+    if (judged && writesOneOf(writes, {ItemId::PortSlmp, ItemId::NetworkNumber, ItemId::NodeNumber}))
+        judged = judgeSlmp(after);
     if (judged && writesNetwork(writes))
         judged = judgeNetwork(after);
     return judged;
@@ -157,6 +180,8 @@ tl::expected<void, Objection> judgeStored(const SettingsMemory& memory, int bank
         judged = judgeTrigger(memory, bank);
     if (judged)
         judged = judgePorts(memory);
+    if (judged)
+        judged = judgeSlmp(memory);
     if (judged)
         judged = judgeNetwork(memory);
     return judged;

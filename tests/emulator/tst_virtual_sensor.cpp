@@ -39,6 +39,8 @@ private Q_SLOTS:
     void aFailingItemLeavesWhatWasWrittenBeforeIt();
     void writesAreCounted();
     void changesAtTheKeypadAreSavedAndJudgedByNobody();
+    void whatIsWrittenTogetherAtTheKeysIsSavedWithOneWrite();
+    void whatTheKeysDidBeforeAFailureIsSaved();
 };
 
 void VirtualSensorTest::zeroSettingMakesThePlaceZeroOrTheOffset()
@@ -387,6 +389,34 @@ void VirtualSensorTest::changesAtTheKeypadAreSavedAndJudgedByNobody()
     QCOMPARE(readNow(ItemId::Offset), 9);
     QCOMPARE(m_sensor->memory().value(ItemId::HighSetValue, 0), -90'000);
     QCOMPARE(m_sensor->memory().value(ItemId::Offset, 0), 0);
+}
+
+void VirtualSensorTest::whatIsWrittenTogetherAtTheKeysIsSavedWithOneWrite()
+{
+    QList<std::pair<Value, Value>> stored; // an address is there whole or not at all
+    m_sensor->setStore(
+        [&stored](const SettingsMemory& memory, const LifeCounters&) -> tl::expected<void, QString> {
+            stored.append(
+                {memory.value(ItemId::IpAddress3rdOctet), memory.value(ItemId::DefaultGateway3rdOctet)});
+            return {};
+        });
+    QVERIFY(write(ItemId::Offset, 7)); // not saved, and not by the way either
+    const WriteOutcome outcome =
+        m_sensor->writeByKeys({{ItemId::IpAddress3rdOctet, 9}, {ItemId::DefaultGateway3rdOctet, 9}});
+    QVERIFY(!outcome.refusal);
+    QCOMPARE(outcome.written, 2);
+    QCOMPARE(stored, (QList<std::pair<Value, Value>>{{9, 9}}));
+    QCOMPARE(m_sensor->memoryWriteCount(), 1);
+    QCOMPARE(m_sensor->savedMemory().value(ItemId::Offset), 0);
+}
+
+void VirtualSensorTest::whatTheKeysDidBeforeAFailureIsSaved()
+{
+    m_sensor->setWriteFailure(ItemId::AlarmDelayCount, true);
+    const WriteOutcome outcome = m_sensor->writeByKeys({{ItemId::EcoMode, 0}, {ItemId::AlarmDelayCount, 3}});
+    QCOMPARE(outcome.refusal, Refusal::Failed);
+    QCOMPARE(m_sensor->savedMemory().value(ItemId::EcoMode), 0);
+    QCOMPARE(m_sensor->savedMemory().value(ItemId::AlarmDelayCount), 8);
 }
 
 QTEST_GUILESS_MAIN(VirtualSensorTest)

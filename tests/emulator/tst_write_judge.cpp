@@ -21,6 +21,8 @@ class WriteJudgeTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void slmpPortAndStationAreJudgedAtTheKeys_data();
+    void slmpPortAndStationAreJudgedAtTheKeys();
     void valuesAreJudgedByTheRangeAndResolutionOfTheModel_data();
     void valuesAreJudgedByTheRangeAndResolutionOfTheModel();
     void highHasToBeAboveLowByMoreThanTwiceTheHysteresis();
@@ -243,6 +245,41 @@ void WriteJudgeTest::theBankInUseIsJudged()
     QVERIFY(accepts(memory, {{ItemId::HighSetValue, 0}}));
     memory.setValue(ItemId::BankSwitching, 2);
     QVERIFY(!accepts(memory, {{ItemId::HighSetValue, 0}}));
+}
+
+void WriteJudgeTest::slmpPortAndStationAreJudgedAtTheKeys_data() // §5.4.1 notes 4, 6 and 7
+{
+    QTest::addColumn<QList<ItemWrite>>("writes");
+    QTest::addColumn<bool>("legal");
+    for (const auto& [port, legal] :
+         {std::pair{2222, false}, {9090, false}, {44818, false}, {45237, true}, {1, true}})
+        QTest::addRow("port %d", port) << QList<ItemWrite>{{ItemId::PortSlmp, port}} << legal;
+    struct Station {
+        int network;
+        int node;
+        bool legal;
+    };
+    for (const Station& station : {Station{0, 255, true},
+                                   {0, 1, false},
+                                   {1, 255, false},
+                                   {1, 1, true},
+                                   {239, 120, true},
+                                   {1, 121, false},
+                                   {1, 124, false},
+                                   {1, 125, true},
+                                   {1, 126, true},
+                                   {1, 127, false},
+                                   {240, 1, false}})
+        QTest::addRow("%d/%d", station.network, station.node)
+            << QList<ItemWrite>{{ItemId::NetworkNumber, station.network}, {ItemId::NodeNumber, station.node}}
+            << station.legal;
+}
+
+void WriteJudgeTest::slmpPortAndStationAreJudgedAtTheKeys()
+{
+    QFETCH(QList<ItemWrite>, writes);
+    QFETCH(bool, legal);
+    QCOMPARE(judgeWrites(SettingsMemory(SensorModel::HlG203), writes).has_value(), legal);
 }
 
 QTEST_APPLESS_MAIN(WriteJudgeTest)
