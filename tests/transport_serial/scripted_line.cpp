@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fcntl.h>
 #include <pty.h>
+#include <QTimer>
 #include <termios.h>
 #include <unistd.h>
 
@@ -52,8 +53,22 @@ void ScriptedLine::unplug()
 
 void ScriptedLine::send(const QByteArray& bytes)
 {
+    if (m_holding) {
+        m_held.append(bytes);
+        return;
+    }
     if (m_master >= 0 && ::write(m_master, bytes.constData(), std::size_t(bytes.size())) != bytes.size())
         qFatal("the pseudo-terminal takes no bytes");
+}
+
+void ScriptedLine::hold(int ms)
+{
+    m_holding = true;
+    QTimer::singleShot(ms, Qt::PreciseTimer, this, [this] {
+        m_holding = false;
+        for (const QByteArray& bytes : std::exchange(m_held, {}))
+            send(bytes);
+    });
 }
 
 void ScriptedLine::onReadable()

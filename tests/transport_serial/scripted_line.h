@@ -51,6 +51,8 @@ public:
     QByteArray goodFrame(const Received& request);
     static QByteArray frame(quint8 unit, const QByteArray& pdu);
     void send(const QByteArray& bytes);
+    /// A sensor that is slow: what is sent from now on goes out, in its order, when the time is over.
+    void hold(int ms);
 
     QList<Received> received; ///< With a good CRC.
     QList<Received> data() const;
@@ -65,6 +67,8 @@ private:
     QString m_port;
     std::unique_ptr<QSocketNotifier> m_notifier;
     QByteArray m_buffer;
+    bool m_holding = false;
+    QList<QByteArray> m_held;
     QQueue<Script> m_scripts;
     QQueue<Script> m_coilScripts;
     Script m_always;

@@ -42,6 +42,7 @@ void BusMember::close(const QString& reason)
     m_bus->disconnect(this);
     for (const Turn turn : {Turn::Person, Turn::Poll})
         m_bus->forget(std::exchange(place(turn), 0));
+    m_bus->leave(m_recorder);
     m_bus.reset();
     m_recorder.disconnected(reason);
 }
@@ -65,6 +66,7 @@ void BusMember::hurry(Turn turn)
 void BusMember::onLost(ports::OpenFailure failure, const QString& detail)
 {
     m_bus->disconnect(this);
+    m_bus->leave(m_recorder);
     m_bus.reset();
     m_request = m_poll = 0;
     m_recorder.disconnected(detail);

@@ -57,7 +57,11 @@ PortFailure failureOf(QSerialPort::SerialPortError error, const QString& port, c
 
 QModbusSerialLine::QModbusSerialLine(ports::Scheduler& scheduler)
     : m_scheduler(scheduler)
-{}
+{
+    m_silence.setSingleShot(true);
+    m_silence.setTimerType(Qt::PreciseTimer);
+    connect(&m_silence, &QTimer::timeout, this, &SerialLine::sent);
+}
 
 QModbusSerialLine::~QModbusSerialLine() { QModbusSerialLine::close(); }
 
@@ -130,6 +134,7 @@ void QModbusSerialLine::ask(quint8 unit, const QByteArray& pdu, int timeoutMs)
         return;
     }
     connect(m_reply, &QModbusReply::finished, this, &QModbusSerialLine::onReplyFinished);
+    m_silence.start(m_client->interFrameDelay() / 1000); // After QModbus's, so it ends after it.
     m_stuckTimer = m_scheduler.after(timeoutMs + stuckMs, this,
                                      [this] { lose(QStringLiteral("the port does not send")); });
 }
@@ -148,8 +153,9 @@ void QModbusSerialLine::onReadyRead()
         Q_EMIT heard(bytes);
     if (!client || client != m_client || !m_asking || !m_reply || !m_reply->isFinished())
         return;
+    const bool wasSent = !m_silence.isActive();
     endReply();
-    Q_EMIT ended(true);
+    Q_EMIT ended(wasSent);
 }
 
 /// The bytes QModbus has just read, taken a second time. Every read on the port is part of a transaction of
@@ -202,6 +208,7 @@ void QModbusSerialLine::endReply()
 {
     m_scheduler.cancel(std::exchange(m_stuckTimer, 0));
     m_asking = false;
+    m_silence.stop();
     if (m_reply) {
         m_reply->disconnect(this);
         m_reply->deleteLater(); // This may be one of its signals.

@@ -30,6 +30,7 @@ RtuBus::RtuBus(std::unique_ptr<ports::Scheduler> scheduler, std::unique_ptr<Seri
     , m_line(std::move(line))
 {
     connect(m_line.get(), &SerialLine::heard, this, &RtuBus::onHeard);
+    connect(m_line.get(), &SerialLine::sent, this, &RtuBus::onSent);
     connect(m_line.get(), &SerialLine::ended, this, &RtuBus::onEnded);
     connect(m_line.get(), &SerialLine::lost, this, &RtuBus::onLost);
 }
@@ -108,6 +109,14 @@ void RtuBus::forget(Ticket ticket)
         m_current.listening->ended = {};
 }
 
+void RtuBus::leave(const FrameRecorder& recorder)
+{
+    if (m_lastRecorder == &recorder)
+        m_lastRecorder = nullptr;
+    if (m_current.question && m_current.question->recorder == &recorder)
+        m_current.question->recorder = nullptr;
+}
+
 void RtuBus::pump()
 {
     if (!m_open || m_state != State::Idle)
@@ -175,6 +184,7 @@ void RtuBus::send(const Request& request)
     m_sent = request;
     m_heard.clear();
     m_sentNs = m_scheduler->nowNs();
+    m_lastRecorder = question.recorder;
     if (question.recorder)
         question.recorder->sent(request, encodeRtuFrame(question.unit, pdu));
     m_line->ask(question.unit, pdu, timeoutMs(m_settings, request, question.answeringMs));
@@ -184,11 +194,13 @@ void RtuBus::onHeard(const QByteArray& bytes)
 {
     m_lastHeardNs = m_scheduler->nowNs();
     switch (m_state) {
-    case State::Idle: // Nobody was asked: a second answer, or one that has come too late.
+    case State::Idle: // A second answer, or one that has come too late.
         m_units.doubt(quint8(m_currentUnit));
+        unasked(bytes);
         break;
     case State::Settling:
     case State::BeforeListening:
+        unasked(bytes);
         break;
     case State::AskingCoils:
     case State::Asking:
@@ -200,6 +212,20 @@ void RtuBus::onHeard(const QByteArray& bytes)
         waitForSilence();
         break;
     }
+}
+
+/// Bytes from the silence in front of a request: noise, or somebody who was asked before.
+void RtuBus::onSent()
+{
+    if (!m_heard.isEmpty())
+        unasked(std::exchange(m_heard, {}));
+    m_sentNs = m_scheduler->nowNs();
+}
+
+void RtuBus::unasked(const QByteArray& bytes)
+{
+    if (m_lastRecorder)
+        m_lastRecorder->malformed(QStringLiteral("late"), bytes);
 }
 
 void RtuBus::onEnded(bool matched)

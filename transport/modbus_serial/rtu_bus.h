@@ -40,7 +40,7 @@ public:
         Turn turn = Turn::Poll;
         Request request;
         int answeringMs = 0; ///< The sensor's time until it begins to answer; the line's own is added.
-        FrameRecorder* recorder = nullptr; ///< Until `ended` or forget().
+        FrameRecorder* recorder = nullptr; ///< Until leave().
         Connection::Ended ended;           ///< Once, unless withdrawn or forgotten.
     };
     struct Listening {
@@ -66,6 +66,8 @@ public:
     void hurry(Ticket ticket, Turn turn);
     /// Nobody will be told how it ends. What is on the wire runs its course.
     void forget(Ticket ticket);
+    /// Before a recorder that was in a question dies.
+    void leave(const FrameRecorder& recorder);
 
 Q_SIGNALS:
     /// The port is gone and closed; every exchange has ended before.
@@ -95,6 +97,8 @@ private:
     void askData();
     void send(const Request& request);
     void onHeard(const QByteArray& bytes);
+    void onSent();
+    void unasked(const QByteArray& bytes);
     void onEnded(bool matched);
     void onCoilsEnded(bool matched);
     void onDataEnded(bool matched);
@@ -128,6 +132,7 @@ private:
     QByteArray m_heard; ///< Since the request under way went out.
     Request m_sent;     ///< The request on the wire.
     int m_currentUnit = 0;
+    FrameRecorder* m_lastRecorder = nullptr; ///< For what comes unasked.
     qint64 m_sentNs = 0;
     qint64 m_lastHeardNs = 0;
     qint64 m_settlingEndsNs = 0;

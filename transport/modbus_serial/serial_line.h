@@ -30,14 +30,15 @@ public:
     /// Other settings for what follows; between exchanges. The error is the system's own text.
     virtual tl::expected<void, QString> adopt(const ports::SerialSettings& settings) = 0;
 
-    /// Sends one request after the silence that belongs in front of it, then ended(), exactly once unless
-    /// close() or lost() comes first. `timeoutMs` ≥ 10 runs from the moment the bytes have been handed to
-    /// the system.
+    /// Sends one request after the silence that belongs in front of it: sent(), then ended(), exactly once
+    /// unless close() or lost() comes first. ended(false) may come alone: then nothing has gone out.
+    /// `timeoutMs` ≥ 10 runs from the moment the bytes have been handed to the system.
     virtual void ask(quint8 unit, const QByteArray& pdu, int timeoutMs) = 0;
     /// Sends bytes as they are and at once; nothing ends by itself.
     virtual void write(const QByteArray& bytes) = 0;
 
 Q_SIGNALS:
+    void sent();                         ///< What has been heard before is no answer.
     void heard(const QByteArray& bytes); ///< All bytes received since the last time, whoever sent them.
     /// `matched`: what has been heard holds an answer of the unit asked, with the function asked for and a
     /// good CRC. Not more than that. Otherwise time is up.
