@@ -33,31 +33,39 @@ QString faultName(NamedFault fault)
 {
     switch (fault) {
     case NamedFault::NoLight:
-        return DemoDock::tr("No light comes back");
+        return DemoDock::tr("No light");
     case NamedFault::Saturated:
-        return DemoDock::tr("Too much light comes back");
+        return DemoDock::tr("Too much light");
     case NamedFault::AmbientLight:
         return DemoDock::tr("Strong ambient light");
     case NamedFault::OutOfRange:
-        return DemoDock::tr("Out of the measurement range");
+        return DemoDock::tr("Out of range");
     case NamedFault::LaserCircuitError:
-        return DemoDock::tr("Laser circuit error (E200)");
+        return DemoDock::tr("Laser circuit error");
     case NamedFault::SystemError:
-        return DemoDock::tr("System error (E120)");
+        return DemoDock::tr("System error");
     case NamedFault::SlowAnswers:
         return DemoDock::tr("Slow to answer");
     case NamedFault::AnswersLost:
-        return DemoDock::tr("Answers get lost");
+        return DemoDock::tr("Answers lost");
     case NamedFault::AnswersCut:
-        return DemoDock::tr("Answers are cut short");
+        return DemoDock::tr("Answers cut short");
     case NamedFault::ConnectionDropped:
         return DemoDock::tr("No connection");
     case NamedFault::InMenu:
-        return DemoDock::tr("Somebody is in its menu");
+        return DemoDock::tr("In its menu");
     case NamedFault::Saving:
-        return DemoDock::tr("Saving: silent for a while");
+        return DemoDock::tr("Saving, silent");
     }
     return {};
+}
+
+QString faultText(const StationState::Fault& fault)
+{
+    QString text = faultName(fault.fault);
+    if (fault.milliseconds > 0)
+        text = DemoDock::tr("%1 (%2 ms)").arg(text).arg(fault.milliseconds);
+    return fault.byScene ? DemoDock::tr("%1 · scene").arg(text) : text;
 }
 
 QLabel* labelFor(const QString& text, QWidget* buddy, QWidget* parent)
@@ -102,6 +110,8 @@ DemoDock::DemoDock(emulator::DemoSensor& sensor, QWidget* parent)
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setMinimumWidth(content->minimumSizeHint().width() + 12);
+    for (qsizetype i = 0; i < m_faults.size(); ++i)
+        m_faults.at(i)->setText(faultName(emulator::allFaults().at(i)));
     scroll->setEnabled(false); // until the sensor runs
     setWidget(scroll);
     const auto paintPanel = [content] {
@@ -208,7 +218,9 @@ void DemoDock::addFaults(QVBoxLayout& column)
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(2);
     for (const NamedFault fault : emulator::allFaults()) {
-        auto* box = new QCheckBox(faultName(fault), group);
+        // As wide as it may become, for the width of the dock.
+        auto* box = new QCheckBox(
+            faultText({fault, false, true, emulator::defaultMilliseconds(fault).value_or(0)}), group);
         box->setObjectName(u"demoFault_"_s + keyOf(fault));
         rows->addWidget(box);
         m_faults += box;
@@ -279,20 +291,15 @@ void DemoDock::showFault(QCheckBox& box, const StationState::Fault& fault)
     box.setChecked(fault.byPerson);
     // It goes off by itself and cannot be cut short.
     box.setEnabled(fault.fault != NamedFault::Saving || !fault.byPerson);
-    QString text = faultName(fault.fault);
-    if (fault.milliseconds > 0)
-        text = tr("%1 (%2 ms)").arg(text).arg(fault.milliseconds);
-    if (fault.byScene)
-        text = tr("%1, now in the scene").arg(text);
+    const QString text = faultText(fault);
     box.setText(text);
+    box.setToolTip(fault.byScene ? tr("The scene has it on at the moment.") : QString());
 }
 
 void DemoDock::showError(const QString& reason)
 {
     m_error->setText(reason);
     m_error->show();
-    if (!m_sensor.state().faults.isEmpty())
-        showState(m_sensor.state()); // the scene that stayed
 }
 
 } // namespace lds::app

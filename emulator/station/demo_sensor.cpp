@@ -60,10 +60,7 @@ void DemoSensor::watch(Inside* inside)
 {
     const auto tell = [this, inside] {
         inside->willTell = false;
-        QMetaObject::invokeMethod(this, [this, state = inside->station->state()] {
-            m_state = state;
-            Q_EMIT stateChanged(m_state);
-        });
+        QMetaObject::invokeMethod(this, [this, state = inside->station->state()] { take(state); });
     };
     connect(inside->station.get(), &SensorStation::stateChanged, inside, [inside, tell] {
         if (std::exchange(inside->willTell, true))
@@ -77,9 +74,19 @@ void DemoSensor::loadScene(const QString& pathOrExample)
 {
     post([this, pathOrExample](SensorStation& station) {
         const auto loaded = station.loadScene(pathOrExample);
-        if (!loaded)
-            QMetaObject::invokeMethod(this, [this, reason = loaded.error()] { Q_EMIT sceneRefused(reason); });
+        if (loaded)
+            return;
+        QMetaObject::invokeMethod(this, [this, state = station.state(), reason = loaded.error()] {
+            take(state); // what was chosen is not so
+            Q_EMIT sceneRefused(reason);
+        });
     });
+}
+
+void DemoSensor::take(const StationState& state)
+{
+    m_state = state;
+    Q_EMIT stateChanged(m_state);
 }
 
 void DemoSensor::post(std::function<void(SensorStation&)> work)

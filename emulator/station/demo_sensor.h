@@ -56,6 +56,7 @@ Q_SIGNALS:
 private:
     struct Inside; ///< What lives in the thread.
     void watch(Inside* inside);
+    void take(const StationState& state);
 
     StationOptions m_options;
     QThread m_thread;
