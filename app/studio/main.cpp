@@ -4,8 +4,10 @@
 #include "demo_sensor.h"
 #include "main_window.h"
 #include "modbus_link_factory.h"
+#include "modbus_scan_factory.h"
 #include "panel_dock.h"
 #include "qt_scheduler.h"
+#include "qt_serial_ports.h"
 #include "screen_tour.h"
 #include "studio_options.h"
 
@@ -96,6 +98,8 @@ int run(QApplication& application, const StudioOptions& options, QSettings& sett
     ui::MessageLog log;
     ports::QtScheduler scheduler;
     modbus::ModbusLinkFactory links(log);
+    const modbus::QtSerialPorts serialPorts;
+    modbus::ModbusScanFactory scans(links.buses(), links.thread());
     sensor::Workspace workspace(links, scheduler);
     Demo demo(workspace, options.demo.value_or(catalog::SensorModel::HlG203));
     ui::Theme::instance().apply(application, themeFor(options, settings));
@@ -109,6 +113,7 @@ int run(QApplication& application, const StudioOptions& options, QSettings& sett
         window.addDock(new app::DemoDock(demo.sensor(), &window));
         window.addDock(new app::PanelDock(demo.sensor(), &window));
     });
+    window.setSerial(serialPorts, scans, links);
     window.offerDemo();
     if (options.demo)
         demo.sensor().start();

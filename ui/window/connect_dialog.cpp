@@ -27,6 +27,7 @@ ConnectDialog::ConnectDialog(sensor::Workspace& workspace, RecentConnections rec
     , m_connect(new QPushButton(tr("Co&nnect"), this))
 {
     setObjectName(QStringLiteral("connectDialog"));
+    m_form->setObjectName(QStringLiteral("connectionForm"));
     setWindowTitle(tr("Connect a sensor"));
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(520);
