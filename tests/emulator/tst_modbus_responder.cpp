@@ -246,7 +246,8 @@ void ModbusResponderTest::singleWriteToEachKindOfRegister_data()
     QTest::newRow("four bytes, first half") << 400101 << 0 << 3;
     QTest::newRow("four bytes, second half") << 400102 << 0 << 3;
     QTest::newRow("inconsistent") << 400153 << 49'152 << 3;
-    QTest::newRow("not in this version") << 400136 << 1 << 4;
+    QTest::newRow("start of a procedure") << 400136 << 1 << 0;
+    QTest::newRow("point of a procedure that does not run") << 400138 << 0 << 4;
 }
 
 void ModbusResponderTest::singleWriteToEachKindOfRegister()
