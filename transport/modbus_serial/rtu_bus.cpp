@@ -180,14 +180,11 @@ void RtuBus::askData()
 void RtuBus::send(const Request& request)
 {
     const Question& question = *m_current.question;
-    const QByteArray pdu = encodeRequest(request);
     m_sent = request;
     m_heard.clear();
     m_sentNs = m_scheduler->nowNs();
     m_lastRecorder = question.recorder;
-    if (question.recorder)
-        question.recorder->sent(request, encodeRtuFrame(question.unit, pdu));
-    m_line->ask(question.unit, pdu, timeoutMs(m_settings, request, question.answeringMs));
+    m_line->ask(question.unit, encodeRequest(request), timeoutMs(m_settings, request, question.answeringMs));
 }
 
 void RtuBus::onHeard(const QByteArray& bytes)
@@ -220,6 +217,9 @@ void RtuBus::onSent()
     if (!m_heard.isEmpty())
         unasked(std::exchange(m_heard, {}));
     m_sentNs = m_scheduler->nowNs();
+    if (m_current.question && m_current.question->recorder)
+        m_current.question->recorder->sent(
+            m_sent, encodeRtuFrame(m_current.question->unit, encodeRequest(m_sent)));
 }
 
 void RtuBus::unasked(const QByteArray& bytes)
