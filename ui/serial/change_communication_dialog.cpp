@@ -1,6 +1,7 @@
 #include "change_communication_dialog.h"
 
 #include "catalog.h"
+#include "height_keeper.h"
 #include "item_text.h"
 #include "serial_texts.h"
 #include "theme.h"
@@ -84,6 +85,7 @@ ChangeCommunicationDialog::ChangeCommunicationDialog(SensorSession& session,
     setWindowTitle(tr("Address, speed and parity \u2013 %1").arg(session.name()));
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(560);
+    new HeightKeeper(this);
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 16, 20, 16);
@@ -239,8 +241,9 @@ void ChangeCommunicationDialog::refresh()
     m_fields->setEnabled(canBegin);
 
     const ChangeProblem obstacle = m_change.obstacle(serial(), unit());
-    const bool shown =
-        canBegin && obstacle != ChangeProblem::None && obstacle != ChangeProblem::NothingToChange;
+    const bool saidBelow = state == State::Failed && obstacle == ChangeProblem::NotPossibleNow;
+    const bool shown = canBegin && !saidBelow && obstacle != ChangeProblem::None &&
+                       obstacle != ChangeProblem::NothingToChange;
     m_problem->setText(shown ? obstacleSentence(obstacle, unit()) : QString());
     m_problem->setVisible(shown);
 

@@ -1,5 +1,6 @@
 #include "scan_dialog.h"
 
+#include "height_keeper.h"
 #include "port_box.h"
 #include "scan_findings_model.h"
 #include "serial_choices.h"
@@ -54,6 +55,7 @@ ScanDialog::ScanDialog(sensor::Workspace& workspace, const ports::SerialPorts* p
     setWindowTitle(tr("Scan an RS-485 line"));
     setAttribute(Qt::WA_DeleteOnClose);
     resize(860, 560);
+    new HeightKeeper(this);
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 16, 20, 16);
@@ -275,6 +277,8 @@ void ScanDialog::finished(ScanEnd end, const QString& detail)
         break;
     }
     m_progress->hide();
+    if (!m_add->isHidden())
+        m_add->setFocus();
 }
 
 void ScanDialog::setScanning(bool scanning)

@@ -49,11 +49,14 @@ QString problemSentence(const procedures::ChangeFailure& failure, const ports::C
     case ChangeProblem::StillOld:
         return SerialTexts::tr("The new settings are saved, but the sensor still speaks with the former "
                                "ones. Switch its power off and on to make the new ones count, or go back.");
-    case ChangeProblem::NoAnswer:
-        return SerialTexts::tr("After the reset the sensor answers neither with the new settings nor with "
-                               "the former ones. Switch its power off and on; it is looked for with the new "
-                               "settings all the while. %1")
-            .arg(openFailureSentence(failure.line, wanted));
+    case ChangeProblem::NoAnswer: {
+        const QString sentence = SerialTexts::tr(
+            "After the reset the sensor answers neither with the new settings nor with the "
+            "former ones. Switch its power off and on; it is looked for with the new settings "
+            "all the while.");
+        const bool isSilent = failure.line.failure == ports::OpenFailure::NoAnswer;
+        return isSilent ? sentence : sentence + u' ' + openFailureSentence(failure.line, wanted);
+    }
     case ChangeProblem::OtherValues:
         return SerialTexts::tr(
             "What answers with the new settings holds others. It may be another sensor, or "

@@ -62,9 +62,10 @@ QAbstractSpinBox::up-button:hover, QAbstractSpinBox::down-button:hover { backgro
 QAbstractSpinBox::up-arrow { image: url(:/lds/sheet/chevron-up.svg); width: 9px; height: 9px; }
 QAbstractSpinBox::down-arrow { image: url(:/lds/sheet/chevron-down.svg); width: 9px; height: 9px; }
 QCheckBox, QRadioButton { spacing: 6px; padding: 2px 0; }
-QCheckBox::indicator { width: 13px; height: 13px; border: 1px solid @controlStrong; border-radius: 3px; background: @panel; }
+QCheckBox::indicator, #scanFindings::indicator { width: 13px; height: 13px; border: 1px solid @controlStrong;
+    border-radius: 3px; background: @panel; }
 QCheckBox::indicator:hover, QCheckBox:focus::indicator { border-color: @accent; }
-QCheckBox::indicator:checked { background: @accent; border-color: @accent; image: url(:/lds/sheet/check-@mode.svg); }
+QCheckBox::indicator:checked, #scanFindings::indicator:checked { background: @accent; border-color: @accent; image: url(:/lds/sheet/check-@mode.svg); }
 QCheckBox::indicator:disabled { background: @background; border-color: @line; }
 QCheckBox:focus { color: @accent; }
 QRadioButton::indicator { width: 13px; height: 13px; border: 1px solid @controlStrong; border-radius: 7px; background: @panel; }
@@ -112,8 +113,9 @@ QLabel[muted="true"] { color: @muted; }
 QLabel[error="true"] { color: @error; }
 QFrame[separator="true"] { background: @line; border: none; }
 #toolRow { background: @panel; border-bottom: 1px solid @line; }
-#reviewTable::item { padding: 0 8px; border: none; border-bottom: 1px solid @grid; }
-#reviewTable::item:focus, #reviewTable::item:selected { background: @accentSoft; color: @text; }
+#reviewTable::item, #scanFindings::item { padding: 0 8px; border: none; border-bottom: 1px solid @grid; }
+#reviewTable::item:focus, #reviewTable::item:selected, #scanFindings::item:focus, #scanFindings::item:selected {
+    background: @accentSoft; color: @text; }
 *[card="true"] { background: @panel; border: 1px solid @line; border-radius: 6px; }
 )";
 

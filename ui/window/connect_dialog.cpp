@@ -1,6 +1,7 @@
 #include "connect_dialog.h"
 
 #include "connection_form.h"
+#include "height_keeper.h"
 #include "sentences.h"
 #include "theme.h"
 
@@ -30,7 +31,8 @@ ConnectDialog::ConnectDialog(sensor::Workspace& workspace, RecentConnections rec
     m_form->setObjectName(QStringLiteral("connectionForm"));
     setWindowTitle(tr("Connect a sensor"));
     setAttribute(Qt::WA_DeleteOnClose);
-    setMinimumWidth(520);
+    setMinimumWidth(620);
+    new HeightKeeper(this);
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 16, 20, 16);
@@ -40,6 +42,7 @@ ConnectDialog::ConnectDialog(sensor::Workspace& workspace, RecentConnections rec
     column->addWidget(title);
     column->addWidget(m_form);
     buildRecent(column);
+    column->addStretch(1);
 
     m_progress->setRange(0, 0);
     m_progress->setTextVisible(false);

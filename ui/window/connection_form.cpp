@@ -148,7 +148,7 @@ void ConnectionForm::buildCommon()
     m_url = new QLabel(this);
     m_url->setObjectName(QStringLiteral("url"));
     m_url->setProperty("muted", true);
-    m_url->setWordWrap(true);
+    m_url->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long one makes no wide window
     m_url->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_url->setAccessibleName(tr("The connection as a URL"));
     m_form->addRow(tr("URL"), m_url);
@@ -422,7 +422,9 @@ void ConnectionForm::showUrl()
                                     : hostError().isEmpty() && portError().isEmpty();
     const QList<ports::ConnectionUrl> all = isWhole ? urls() : QList<ports::ConnectionUrl>();
     const QString first = all.isEmpty() ? QStringLiteral("\u2013") : all.first().toString();
-    m_url->setText(all.size() > 1 ? tr("%1 and %2 more").arg(first).arg(all.size() - 1) : first);
+    const QString text = all.size() > 1 ? tr("%1 and %2 more").arg(first).arg(all.size() - 1) : first;
+    m_url->setText(text);
+    m_url->setToolTip(text);
 }
 
 } // namespace lds::ui
