@@ -218,8 +218,8 @@ void RtuBus::onSent()
         unasked(std::exchange(m_heard, {}));
     m_sentNs = m_scheduler->nowNs();
     if (m_current.question && m_current.question->recorder)
-        m_current.question->recorder->sent(
-            m_sent, encodeRtuFrame(m_current.question->unit, encodeRequest(m_sent)));
+        m_current.question->recorder->sent(m_sent,
+                                           encodeRtuFrame(m_current.question->unit, encodeRequest(m_sent)));
 }
 
 void RtuBus::unasked(const QByteArray& bytes)
@@ -294,16 +294,23 @@ void RtuBus::onDataEnded(bool matched)
     }
     m_units.answered(quint8(m_currentUnit));
     m_state = State::Idle;
-    if (refused) {
-        const quint8 code = response.error().exceptionCode;
-        if (recorder)
-            recorder->refused(m_sent, code, verdict.frame, roundTripNs);
-        finish(tl::unexpected(Failure{refusalOf(code), code, QString()}));
-        return;
-    }
-    if (recorder)
-        recorder->answered(m_sent, *response, verdict.frame, roundTripNs);
-    finish(*response);
+    const Job job = std::exchange(m_current, Job());
+    const Request request = m_sent;
+    // The silence in front of the next exchange passes while a poll is told. Others first say what they want
+    // next: the rest of a long read goes before polls, too.
+    if (job.question->turn == Turn::Poll && m_lineSettings == m_settings)
+        pump();
+    const quint8 code = refused ? response.error().exceptionCode : quint8(0);
+    if (recorder && refused)
+        recorder->refused(request, code, verdict.frame, roundTripNs);
+    else if (recorder)
+        recorder->answered(request, *response, verdict.frame, roundTripNs);
+    tl::expected<Response, Failure> result;
+    if (refused)
+        result = tl::unexpected(Failure{refusalOf(code), code, QString()});
+    else
+        result = *response;
+    tell(job, result);
 }
 
 void RtuBus::record(const QList<RtuStray>& strays)
@@ -326,12 +333,11 @@ void RtuBus::giveUp(const Failure& failure)
             m_current.question->recorder->noAnswer(waitedNs);
     }
     m_state = State::Settling;
-    finish(tl::unexpected(told));
+    tell(std::exchange(m_current, Job()), tl::unexpected(told));
 }
 
-void RtuBus::finish(const tl::expected<Response, Failure>& result)
+void RtuBus::tell(const Job& job, const tl::expected<Response, Failure>& result)
 {
-    const Job job = std::exchange(m_current, Job());
     if (job.question->ended)
         job.question->ended({result, m_stampNs, m_stampWallMs});
     goOn();

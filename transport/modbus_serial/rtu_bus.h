@@ -104,7 +104,7 @@ private:
     void onDataEnded(bool matched);
     void record(const QList<RtuStray>& strays);
     void giveUp(const ports::Failure& failure);
-    void finish(const tl::expected<Response, ports::Failure>& result);
+    void tell(const Job& job, const tl::expected<Response, ports::Failure>& result);
 
     void beginListening();
     void sendListening();
