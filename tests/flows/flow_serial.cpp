@@ -211,6 +211,28 @@ private Q_SLOTS:
             QTRY_VERIFY_WITH_TIMEOUT(session->isReady(), 20'000);
     }
 
+    void aScanTakesTurnsWithASensorThatIsConnected()
+    {
+        makeLine({2, 4});
+        connectUnits(u"2"_s, 1);
+        auto* connected = m_w->workspace.current();
+        QTRY_VERIFY_WITH_TIMEOUT(connected->latest().has_value(), 20'000);
+        action("scan")->trigger();
+        QDialog* scan = dialog("scanDialog");
+        QVERIFY(scan);
+        type(find<QComboBox>(scan, "scanPort")->lineEdit(), m_line->port());
+        find<QSpinBox>(scan, "lastUnit")->setValue(5);
+        click(scan, "scanButton");
+        QTRY_VERIFY_WITH_TIMEOUT(find<QLabel>(scan, "scanState")->text().startsWith(u"Done"_s), 60'000);
+        auto* findings = find<QTableView>(scan, "scanFindings")->model();
+        QCOMPARE(findings->rowCount(), 2);
+        QCOMPARE(findings->index(0, 3).data().toString(), u"in the list"_s);
+        QCOMPARE(findings->index(1, 0).data().toString(), u"4"_s);
+        QVERIFY(connected->isReady()); // never cut
+        const qint64 before = connected->trend().lastNs();
+        QTRY_VERIFY_WITH_TIMEOUT(connected->trend().lastNs() > before, 20'000);
+    }
+
     void aScanCanBeStopped()
     {
         makeLine({2});

@@ -50,6 +50,25 @@ private Q_SLOTS:
         QCOMPARE(m_workspace->add(urlOf("127.0.0.2", 49152))->name(), QStringLiteral("127.0.0.2:49152"));
     }
 
+    void onALineItIsPortAndAddressThatTellSensorsApart()
+    {
+        ConnectionUrl url = urlOf("/dev/ttyUSB0");
+        url.protocol = lds::ports::Protocol::ModbusRtu;
+        SensorSession* first = m_workspace->add(url);
+        QCOMPARE(first->name(), QStringLiteral("ttyUSB0 \u00b7 1"));
+        ConnectionUrl faster = url;
+        faster.serial.baud = 115'200;
+        QCOMPARE(m_workspace->add(faster), first);
+        ConnectionUrl next = url;
+        next.unit = 2;
+        QVERIFY(m_workspace->add(next) != first);
+        QCOMPARE(m_workspace->find(next)->name(), QStringLiteral("ttyUSB0 \u00b7 2"));
+        ConnectionUrl elsewhere = url;
+        elsewhere.host = QStringLiteral("/dev/ttyUSB1");
+        QCOMPARE(m_workspace->find(elsewhere), nullptr);
+        QVERIFY(!isSameSensor(url, urlOf("/dev/ttyUSB0"))); // a host of that name
+    }
+
     void theSameAddressIsTheSameSensor()
     {
         SensorSession* first = m_workspace->add(urlOf("localhost"));
