@@ -16,17 +16,36 @@ using emulator::StationOptions;
 namespace {
 
 constexpr qint64 largestFile = 1024 * 1024;
-const QStringList knownKeys{u"sensor"_s, u"bind"_s, u"modbusPort"_s, u"toolPort"_s, u"state"_s, u"scene"_s};
-const QStringList laterKeys{u"slmpPort"_s, u"eipPort"_s, u"eipIoPort"_s, u"rtu"_s, u"unit"_s};
+const QStringList knownKeys{u"sensor"_s,          u"bind"_s,  u"modbusPort"_s,
+                            u"toolPort"_s,        u"rtu"_s,   u"unit"_s,
+                            u"answeringTimeMs"_s, u"state"_s, u"scene"_s};
+const QStringList laterKeys{u"slmpPort"_s, u"eipPort"_s, u"eipIoPort"_s};
 
-tl::expected<std::optional<quint16>, QString> portOf(const QJsonValue& value, const QString& field)
+constexpr int longestAnsweringMs = 60'000;
+
+/// Nothing for null and for what is not there.
+tl::expected<std::optional<int>, QString> numberOf(const QJsonObject& object, const QString& key,
+                                                   const QString& where, const QString& what, int from,
+                                                   int to)
 {
+    const QJsonValue value = object.value(key);
     if (value.isUndefined() || value.isNull())
         return std::nullopt;
     const double number = value.toDouble(-1);
-    if (number < 0 || number > 0xffff || number != std::floor(number))
-        return tl::unexpected(u"%1: has to be a port from 0 to 65535, or null"_s.arg(field));
-    return std::optional(quint16(number));
+    if (number < from || number > to || number != std::floor(number)) {
+        return tl::unexpected(
+            u"%1.%2: has to be %3 from %4 to %5, or null"_s.arg(where, key, what).arg(from).arg(to));
+    }
+    return std::optional(int(number));
+}
+
+tl::expected<std::optional<quint16>, QString> portOf(const QJsonObject& object, const QString& key,
+                                                     const QString& where)
+{
+    const auto port = numberOf(object, key, where, u"a port"_s, 0, 0xffff);
+    if (!port)
+        return tl::unexpected(port.error());
+    return *port ? std::optional(quint16(**port)) : std::nullopt;
 }
 
 tl::expected<QString, QString> textOf(const QJsonObject& object, const QString& key, const QString& where,
@@ -46,7 +65,7 @@ tl::expected<void, QString> checkKeys(const QJsonObject& object, const QString& 
     for (const QString& key : keys) {
         if (laterKeys.contains(key))
             return tl::unexpected(
-                u"%1.%2: is not in this version, which speaks Modbus TCP only"_s.arg(where, key));
+                u"%1.%2: is not in this version, which speaks Modbus TCP and RTU only"_s.arg(where, key));
         if (!knownKeys.contains(key))
             return tl::unexpected(u"%1.%2: is not a field of a sensor; these are: %3"_s.arg(
                 where, key, knownKeys.join(u", "_s)));
@@ -60,6 +79,34 @@ QString sceneOf(const QString& text, const QDir& folder)
     if (text.isEmpty() || emulator::Scene::examples().contains(text))
         return text;
     return QDir::cleanPath(folder.absoluteFilePath(text));
+}
+
+/// Its place on an RS-485 line, into `station`.
+tl::expected<void, QString> readLine(const QJsonObject& object, const QString& where, const QDir& folder,
+                                     StationOptions& station)
+{
+    const auto link = textOf(object, u"rtu"_s, where, {});
+    if (!link)
+        return tl::unexpected(link.error());
+    const auto unit =
+        numberOf(object, u"unit"_s, where, u"a device address"_s, modbus::firstRtuUnit, modbus::lastRtuUnit);
+    if (!unit)
+        return tl::unexpected(unit.error());
+    const auto answering =
+        numberOf(object, u"answeringTimeMs"_s, where, u"a number"_s, 0, longestAnsweringMs);
+    if (!answering)
+        return tl::unexpected(answering.error());
+    if (link->isEmpty()) {
+        if (*unit || *answering)
+            return tl::unexpected(
+                u"%1: unit and answeringTimeMs belong to rtu, the link of a line"_s.arg(where));
+        return {};
+    }
+    station.rtuLink = QDir::cleanPath(folder.absoluteFilePath(*link));
+    if (*unit)
+        station.unit = quint8(**unit);
+    station.answeringTimeMs = answering->value_or(0);
+    return {};
 }
 
 tl::expected<StationOptions, QString> stationOf(const QJsonValue& value, const QString& where,
@@ -82,14 +129,17 @@ tl::expected<StationOptions, QString> stationOf(const QJsonValue& value, const Q
     const auto address = bindAddress(*bind);
     if (!address)
         return tl::unexpected(u"%1.bind: %2"_s.arg(where, address.error()));
-    const auto modbusPort = portOf(object.value("modbusPort"_L1), where + u".modbusPort"_s);
+    const auto modbusPort = portOf(object, u"modbusPort"_s, where);
     if (!modbusPort)
         return tl::unexpected(modbusPort.error());
-    const auto toolPort = portOf(object.value("toolPort"_L1), where + u".toolPort"_s);
+    const auto toolPort = portOf(object, u"toolPort"_s, where);
     if (!toolPort)
         return tl::unexpected(toolPort.error());
-    if (!*modbusPort && !*toolPort)
-        return tl::unexpected(u"%1: nothing to serve: give modbusPort or toolPort"_s.arg(where));
+    StationOptions station;
+    if (const auto read = readLine(object, where, folder, station); !read)
+        return tl::unexpected(read.error());
+    if (!*modbusPort && !*toolPort && station.rtuLink.isEmpty())
+        return tl::unexpected(u"%1: nothing to serve: give modbusPort, toolPort or rtu"_s.arg(where));
     const auto state = textOf(object, u"state"_s, where, {});
     if (!state)
         return tl::unexpected(state.error());
@@ -97,7 +147,6 @@ tl::expected<StationOptions, QString> stationOf(const QJsonValue& value, const Q
     const auto scene = textOf(object, u"scene"_s, where, {});
     if (!scene)
         return tl::unexpected(scene.error());
-    StationOptions station;
     station.model = *model;
     station.address = *address;
     station.modbusPort = *modbusPort;

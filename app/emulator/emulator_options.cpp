@@ -12,18 +12,25 @@ using emulator::StationOptions;
 namespace {
 
 /// Options of the contract that this version knows and cannot do yet.
-const QStringList laterOptions{u"slmp-port"_s, u"eip-port"_s, u"eip-io-port"_s, u"rtu"_s, u"unit"_s};
-const QStringList sensorOptions{u"bind"_s, u"modbus-port"_s, u"tool-port"_s, u"state"_s, u"scene"_s};
+const QStringList laterOptions{u"slmp-port"_s, u"eip-port"_s, u"eip-io-port"_s};
+const QStringList sensorOptions{u"bind"_s, u"modbus-port"_s, u"tool-port"_s, u"rtu"_s,
+                                u"unit"_s, u"state"_s,       u"scene"_s};
 
 void declareOptions(QCommandLineParser& parser)
 {
-    parser.setApplicationDescription(u"Virtual HL-G2 displacement sensors that speak Modbus TCP."_s);
+    parser.setApplicationDescription(u"Virtual HL-G2 displacement sensors that speak Modbus TCP and RTU."_s);
     parser.addOptions({
         {u"sensor"_s, u"Type of the sensor, for example HL-G203B-S-MK."_s, u"TYPE"_s},
         {u"bind"_s, u"Address to listen on; 127.0.0.1 unless told."_s, u"ADDRESS"_s, u"127.0.0.1"_s},
         {u"modbus-port"_s, u"Port of the Modbus TCP server; 0 picks a free one."_s, u"PORT"_s},
         {u"tool-port"_s, u"Port for configuration tools, Modbus TCP as well; 0 picks a free one."_s,
          u"PORT"_s},
+        {u"rtu"_s,
+         u"Serve Modbus RTU on a pseudo-terminal, to which this link is made; programs open it like a serial "
+         "port."_s,
+         u"LINK"_s},
+        {u"unit"_s,
+         u"Device address on that line, 1 to 247, until it is changed; the saved one unless told."_s, u"N"_s},
         {u"state"_s, u"File that keeps the saved settings; made at the first saving."_s, u"FILE"_s},
         {u"scene"_s,
          u"What the sensor looks at: a scene file, or an example of --list-scenes. Without it a workpiece "
@@ -31,7 +38,7 @@ void declareOptions(QCommandLineParser& parser)
          u"SCENE"_s},
         {u"config"_s,
          u"JSON file with several sensors: {\"sensors\": [{\"sensor\", \"bind\", \"modbusPort\", "
-         "\"toolPort\", \"state\", \"scene\"}, ...]}."_s,
+         "\"toolPort\", \"rtu\", \"unit\", \"answeringTimeMs\", \"state\", \"scene\"}, ...]}."_s,
          u"FILE"_s},
         {u"control"_s, u"Take control lines from standard input; type help and Enter."_s},
         {u"control-socket"_s, u"Take control lines from a local socket."_s, u"NAME"_s},
@@ -61,9 +68,33 @@ tl::expected<std::optional<quint16>, QString> portOption(const QCommandLineParse
     return std::optional(quint16(port));
 }
 
+tl::expected<std::optional<quint8>, QString> unitOption(const QCommandLineParser& parser)
+{
+    if (!parser.isSet(u"unit"_s))
+        return std::nullopt;
+    if (!parser.isSet(u"rtu"_s))
+        return tl::unexpected(u"--unit: is an address on a line; give --rtu LINK too"_s);
+    bool isNumber = false;
+    const int unit = parser.value(u"unit"_s).toInt(&isNumber);
+    if (!isNumber || unit < modbus::firstRtuUnit || unit > modbus::lastRtuUnit) {
+        return tl::unexpected(
+            u"--unit %1: a device address is a number from 1 to 247"_s.arg(parser.value(u"unit"_s)));
+    }
+    return std::optional(quint8(unit));
+}
+
+/// A file or scene that is named has to have a name.
+tl::expected<void, QString> checkNames(const QCommandLineParser& parser)
+{
+    for (const QString& name : {u"rtu"_s, u"state"_s, u"scene"_s}) {
+        if (parser.isSet(name) && parser.value(name).isEmpty())
+            return tl::unexpected(u"--%1: the name is empty"_s.arg(name));
+    }
+    return {};
+}
+
 tl::expected<StationOptions, QString> stationOf(const QCommandLineParser& parser)
 {
-    StationOptions station;
     const auto model = modelNamed(parser.value(u"sensor"_s));
     if (!model)
         return tl::unexpected(u"--sensor: "_s + model.error());
@@ -76,16 +107,22 @@ tl::expected<StationOptions, QString> stationOf(const QCommandLineParser& parser
     const auto toolPort = portOption(parser, u"tool-port"_s);
     if (!toolPort)
         return tl::unexpected(toolPort.error());
-    if (!*modbusPort && !*toolPort)
-        return tl::unexpected(u"nothing to serve: give --modbus-port or --tool-port, 0 for any free port"_s);
-    if (parser.isSet(u"state"_s) && parser.value(u"state"_s).isEmpty())
-        return tl::unexpected(u"--state: the file name is empty"_s);
-    if (parser.isSet(u"scene"_s) && parser.value(u"scene"_s).isEmpty())
-        return tl::unexpected(u"--scene: the name is empty"_s);
+    const auto unit = unitOption(parser);
+    if (!unit)
+        return tl::unexpected(unit.error());
+    if (const auto checked = checkNames(parser); !checked)
+        return tl::unexpected(checked.error());
+    if (!*modbusPort && !*toolPort && !parser.isSet(u"rtu"_s)) {
+        return tl::unexpected(
+            u"nothing to serve: give --modbus-port or --tool-port, 0 for any free port, or --rtu LINK"_s);
+    }
+    StationOptions station;
     station.model = *model;
     station.address = *address;
     station.modbusPort = *modbusPort;
     station.toolPort = *toolPort;
+    station.rtuLink = parser.value(u"rtu"_s);
+    station.unit = *unit;
     station.stateFile = parser.value(u"state"_s);
     station.scene = parser.value(u"scene"_s);
     return station;
@@ -162,7 +199,8 @@ tl::expected<EmulatorOptions, QString> parseCommandLine(const QStringList& argum
         return options;
     for (const QString& name : laterOptions) {
         if (parser.isSet(name))
-            return tl::unexpected(u"--%1 is not in this version: it speaks Modbus TCP only"_s.arg(name));
+            return tl::unexpected(
+                u"--%1 is not in this version: it speaks Modbus TCP and RTU only"_s.arg(name));
     }
     if (!parser.positionalArguments().isEmpty())
         return tl::unexpected(

@@ -26,11 +26,12 @@ tl::expected<EmulatorOptions, QString> parseCommandLine(const QStringList& argum
 ///
 ///     { "sensors": [ { "sensor": "HL-G203B-S-MK", "bind": "127.0.0.1",
 ///                      "modbusPort": 15020, "toolPort": 0, "state": "first.json",
+///                      "rtu": "line", "unit": 17, "answeringTimeMs": 2,
 ///                      "scene": "conveyor-step" }, … ] }
 ///
-/// "sensor" and at least one port are needed; 0 picks a free port, null or nothing starts no such server;
-/// "bind" is 127.0.0.1 unless told; a relative "state" or scene file is looked for beside the configuration
-/// file.
+/// "sensor" and at least one port or "rtu" are needed; port 0 picks a free one, null or nothing starts no
+/// such server; "bind" is 127.0.0.1 unless told; sensors with the same "rtu" share that line; a relative
+/// "state", "rtu" or scene file is looked for beside the configuration file.
 tl::expected<QList<emulator::StationOptions>, QString> readConfigFile(const QString& path);
 
 /// The model of a type name, or a message that lists the known ones.

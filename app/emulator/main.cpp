@@ -1,10 +1,11 @@
-// lds-emulator: virtual sensors that speak the real protocols on real sockets.
+// lds-emulator: virtual sensors that speak the real protocols on real sockets and serial lines.
 
 #include "control_desk.h"
 #include "control_input.h"
 #include "control_socket.h"
 #include "emulator_options.h"
 #include "panel_window.h"
+#include "rtu_lines.h"
 #include "system_clock.h"
 #include "unix_signals.h"
 
@@ -43,7 +44,7 @@ int fail(const QString& message, ExitCode code)
 QJsonValue portValue(std::optional<quint16> port) { return port ? QJsonValue(*port) : QJsonValue(); }
 
 /// One sensor as the ready line shows it; servers of later versions are null.
-QJsonObject describe(SensorStation& station)
+QJsonObject describe(SensorStation& station, const QString& rtu)
 {
     const auto& model = catalog::Catalog::hlG2().model(station.sensor().model());
     return QJsonObject{{u"ready"_s, true},
@@ -52,7 +53,7 @@ QJsonObject describe(SensorStation& station)
                        {u"toolPort"_s, portValue(station.toolPort())},
                        {u"slmpPort"_s, QJsonValue()},
                        {u"eipPort"_s, QJsonValue()},
-                       {u"rtu"_s, QJsonValue()}};
+                       {u"rtu"_s, rtu.isEmpty() ? QJsonValue() : QJsonValue(rtu)}};
 }
 
 /// The running program: its stations, and whoever controls them.
@@ -74,6 +75,8 @@ public:
         for (std::size_t i = 0; i < m_stations.size(); ++i) {
             if (const auto listening = m_stations[i]->listen(); !listening)
                 return complain(i, listening.error());
+            if (const auto attached = attach(i); !attached)
+                return complain(i, {StationProblem::Kind::Listen, attached.error()});
             watch(i);
         }
         return startControl();
@@ -89,8 +92,8 @@ public:
     QJsonObject readyLine() const
     {
         QJsonArray sensors;
-        for (const auto& station : m_stations)
-            sensors.append(describe(*station));
+        for (std::size_t i = 0; i < m_stations.size(); ++i)
+            sensors.append(describe(*m_stations[i], m_links[qsizetype(i)]));
         QJsonObject ready = m_options.fromConfig ? QJsonObject{{u"ready"_s, true}, {u"sensors"_s, sensors}}
                                                  : sensors.first().toObject();
         if (m_options.control)
@@ -101,6 +104,20 @@ public:
     }
 
 private:
+    /// To its RS-485 line, if it is to have one.
+    tl::expected<void, QString> attach(std::size_t index)
+    {
+        const QString& link = m_options.stations.at(qsizetype(index)).rtuLink;
+        m_links.append(QString());
+        if (link.isEmpty())
+            return {};
+        const auto attached = m_lines.attach(m_stations[index]->rtuUnit(), link);
+        if (!attached)
+            return tl::unexpected(u"cannot serve Modbus RTU at "_s + attached.error());
+        m_links.last() = *attached;
+        return {};
+    }
+
     QString named(std::size_t index, const QString& message) const
     {
         return m_options.fromConfig ? u"sensors[%1]: %2"_s.arg(index).arg(message) : message;
@@ -140,7 +157,9 @@ private:
 
     const app::EmulatorOptions& m_options;
     emulator::SystemClock m_clock;
+    app::RtuLines m_lines{m_clock};
     std::vector<std::unique_ptr<SensorStation>> m_stations;
+    QStringList m_links; ///< Of each station's line; empty: none.
     std::unique_ptr<app::PanelWindow> m_panel;
     std::unique_ptr<app::ControlDesk> m_desk;
     std::unique_ptr<app::ControlInput> m_input;

@@ -74,13 +74,27 @@ QString targetOf(const QString& link)
 
 QString linkTo(const QString& device) { return devicesInLink + device.mid(devices.size()); }
 
-void setRaw(int descriptor)
+std::optional<termios> settingsNow(int descriptor)
 {
     termios terminal = {};
-    if (::tcgetattr(descriptor, &terminal) != 0)
-        return;
-    ::cfmakeraw(&terminal); // no echo, every byte as it is
-    ::tcsetattr(descriptor, TCSANOW, &terminal);
+    return ::tcgetattr(descriptor, &terminal) == 0 ? std::optional(terminal) : std::nullopt;
+}
+
+bool isSame(const termios& one, const termios& other)
+{
+    return one.c_iflag == other.c_iflag && one.c_oflag == other.c_oflag && one.c_cflag == other.c_cflag &&
+           one.c_lflag == other.c_lflag && ::cfgetospeed(&one) == ::cfgetospeed(&other);
+}
+
+/// As a client finds it: raw, without echo, at a speed that no sensor has, and as a modem's line. Each client
+/// changes the last two. The C library refuses settings with parity, which a pseudo-terminal cannot have,
+/// when they change nothing else.
+termios asFound(termios terminal)
+{
+    ::cfmakeraw(&terminal);
+    terminal.c_cflag &= ~tcflag_t(CLOCAL | PARODD | CSTOPB);
+    ::cfsetspeed(&terminal, B1200);
+    return terminal;
 }
 
 } // namespace
@@ -147,7 +161,10 @@ tl::expected<void, QString> PseudoTerminal::openTerminal()
         ::ptsname_r(m_master, name.data(), name.size()) != 0)
         return tl::unexpected(u"cannot make a pseudo-terminal: "_s + systemError());
     m_device = QFile::decodeName(name.data());
-    setRaw(m_master);
+    if (const auto now = settingsNow(m_master)) {
+        const termios found = asFound(*now);
+        ::tcsetattr(m_master, TCSANOW, &found);
+    }
     m_notifier = std::make_unique<QSocketNotifier>(m_master, QSocketNotifier::Read);
     connect(m_notifier.get(), &QSocketNotifier::activated, this, &PseudoTerminal::readArrived);
     return {};
@@ -173,15 +190,15 @@ tl::expected<void, QString> PseudoTerminal::makeLink()
 
 std::optional<LineSettings> PseudoTerminal::clientSettings() const
 {
-    termios terminal = {};
-    if (::tcgetattr(m_master, &terminal) != 0) // of a pseudo-terminal: what the client has set
+    const auto terminal = settingsNow(m_master); // of a pseudo-terminal: what the client has set
+    if (!terminal)
         return std::nullopt;
-    const speed_t code = ::cfgetospeed(&terminal);
+    const speed_t code = ::cfgetospeed(&*terminal);
     const auto* const speed =
         std::find_if(speeds.begin(), speeds.end(), [code](const Speed& each) { return each.code == code; });
     if (speed == speeds.end())
         return std::nullopt;
-    return settingsOf(terminal, speed->bitsPerSecond);
+    return settingsOf(*terminal, speed->bitsPerSecond);
 }
 
 void PseudoTerminal::readArrived()
@@ -190,39 +207,74 @@ void PseudoTerminal::readArrived()
     const auto count = ::read(m_master, bytes.data(), readSize);
     if (count > 0) {
         bytes.truncate(count);
+        forgetClient();
         Q_EMIT received(bytes);
     } else if (count < 0 && errno == EIO) {
         clientLeft();
     }
 }
 
+/// So that a client that opens it again at once, and sets the same again, changes something (asFound()).
+void PseudoTerminal::forgetClient()
+{
+    auto terminal = settingsNow(m_master);
+    if (!terminal || !(terminal->c_cflag & CLOCAL))
+        return;
+    terminal->c_cflag &= ~tcflag_t(CLOCAL);
+    ::tcsetattr(m_master, TCSANOW, &*terminal);
+}
+
 void PseudoTerminal::clientLeft()
 {
     m_open = false;
     m_notifier->setEnabled(false);
-    setRaw(m_master); // as the next one expects it
     // What the client has not read would wait for the next one.
     const int client =
         ::open(QFile::encodeName(m_device).constData(), O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK);
-    if (client >= 0) {
-        ::tcflush(client, TCIFLUSH);
-        ::close(client);
+    if (client < 0) {
+        replaceTerminal();
+        return;
+    }
+    ::tcflush(client, TCIFLUSH);
+    const auto before = settingsNow(client);
+    const auto found = before ? std::optional(asFound(*before)) : std::nullopt;
+    if (found)
+        ::tcsetattr(client, TCSANOW, &*found);
+    ::close(client);
+    if (found && hasClient()) {
+        // The next one was quick; perhaps it had set already what has just been set otherwise.
+        const auto now = settingsNow(m_master);
+        if (now && isSame(*now, *found))
+            ::tcsetattr(m_master, TCSANOW, &*before);
     }
     waitForClient();
+}
+
+/// False when nobody has it open and nothing is left to be read.
+bool PseudoTerminal::hasClient() const
+{
+    pollfd state{m_master, POLLIN, 0};
+    return ::poll(&state, 1, 0) < 0 || (state.revents & (POLLHUP | POLLIN)) != POLLHUP;
+}
+
+/// A client that had it for itself and was killed has locked it for good: the link leads to a new one.
+void PseudoTerminal::replaceTerminal()
+{
+    m_notifier.release()->deleteLater(); // it is being served
+    ::close(m_master);
+    const bool isOwn = targetOf(m_link) == linkTo(m_device);
+    m_open = openTerminal() && isOwn && makeLink();
 }
 
 /// Nothing tells of it but asking.
 void PseudoTerminal::waitForClient()
 {
-    m_clock.after(openingPollMs, this, [this] {
-        pollfd state{m_master, POLLIN, 0};
-        if (::poll(&state, 1, 0) >= 0 && (state.revents & (POLLHUP | POLLIN)) == POLLHUP) {
-            waitForClient();
-            return;
-        }
+    if (hasClient()) {
         m_open = true;
         m_notifier->setEnabled(true);
-    });
+        return;
+    }
+    m_clock.after(openingPollMs, this, [this] { waitForClient(); });
 }
 
 void PseudoTerminal::send(const QByteArray& bytes)

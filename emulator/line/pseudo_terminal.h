@@ -41,7 +41,10 @@ private:
     tl::expected<void, QString> openTerminal();
     tl::expected<void, QString> makeLink();
     void readArrived();
+    void forgetClient();
     void clientLeft();
+    void replaceTerminal();
+    bool hasClient() const;
     void waitForClient();
 
     QString m_link;

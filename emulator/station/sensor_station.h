@@ -25,6 +25,8 @@ struct StationOptions {
     std::optional<quint16> toolPort;
     QString stateFile; ///< Where the saved memory outlives the program; empty = nowhere.
     QString scene;     ///< A file, or an example's key; empty = a workpiece that moves gently.
+    /// The pseudo-terminal of an RS-485 line, which whoever owns the line makes; empty = none.
+    QString rtuLink;
     /// Its Device Address at the start, 1 … 247, as if written and not saved; nothing = the saved one.
     std::optional<quint8> unit;
     int answeringTimeMs = 0; ///< On an RS-485 line, from the end of a request to the answer.

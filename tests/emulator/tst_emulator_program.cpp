@@ -1,6 +1,7 @@
 #include "emulator_process.h"
 
 #include <QFile>
+#include <QFileInfo>
 #include <QHostAddress>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -62,6 +63,10 @@ private Q_SLOTS:
     void wrongUsageIsToldAndExitsWith2();
     void aTakenPortExitsWith1();
     void helpAndVersionExitWith0();
+    void aLineIsALinkThatGoesWithTheProgram();
+    void aFileInTheWayOfALineStays();
+    void sensorsWithTheSameLinkShareALine();
+    void theUnitIsSavedOnlyWhenItIsSaved();
     void aConfigurationFileStartsSeveralSensors();
     void wrongConfigurationFilesNameTheField_data();
     void wrongConfigurationFilesNameTheField();
@@ -131,11 +136,18 @@ void EmulatorProgramTest::wrongUsageIsToldAndExitsWith2_data()
                              << u"HL-G%1B-S-MK"_s.arg(QString::fromLatin1(model));
     }
     const QString sensor = u"--sensor HL-G203B-S-MK "_s;
-    for (const char* option : {"slmp-port", "eip-port", "eip-io-port", "rtu", "unit"}) {
+    for (const char* option : {"slmp-port", "eip-port", "eip-io-port"}) {
         const QString name = u"--"_s + QString::fromLatin1(option);
         QTest::newRow(option) << sensor + u"--modbus-port 0 %1 1"_s.arg(name)
                               << name + u" is not in this version"_s;
     }
+    QTest::newRow("unit without a line") << sensor + u"--modbus-port 0 --unit 1"_s << u"--rtu LINK"_s;
+    for (const char* unit : {"0", "248", "x", "1.5"}) {
+        QTest::addRow("unit %s", unit)
+            << sensor + u"--rtu /nowhere/line --unit "_s + QString::fromLatin1(unit)
+            << u"--unit %1: a device address"_s.arg(QString::fromLatin1(unit));
+    }
+    QTest::newRow("line beside a file") << u"--config x.json --rtu line"_s << u"--rtu"_s;
     QTest::newRow("no server") << sensor << u"nothing to serve"_s;
     QTest::newRow("port no number") << sensor + u"--modbus-port abc"_s << u"--modbus-port abc"_s;
     QTest::newRow("port too large") << sensor + u"--tool-port 65536"_s << u"--tool-port 65536"_s;
@@ -186,6 +198,70 @@ void EmulatorProgramTest::helpAndVersionExitWith0()
     }
 }
 
+void EmulatorProgramTest::aLineIsALinkThatGoesWithTheProgram()
+{
+    const QTemporaryDir folder;
+    const QString link = folder.filePath(u"line"_s);
+    Emulator emulator({u"--sensor"_s, u"HL-G203B-S-MK"_s, u"--rtu"_s, link, u"--unit"_s, u"247"_s});
+    QVERIFY2(emulator.ready().value("rtu"_L1).toString() == link, emulator.line() + emulator.errors());
+    QVERIFY(emulator.ready().value("modbusPort"_L1).isNull());
+    QVERIFY(QFileInfo(link).isSymLink() && QFileInfo(link).exists());
+    QCOMPARE(emulator.endWith(SIGTERM), 0);
+    QVERIFY(!QFileInfo(link).isSymLink());
+}
+
+void EmulatorProgramTest::aFileInTheWayOfALineStays()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"line"_s);
+    writeFile(path, "precious");
+    QProcess process;
+    process.start(program(), {u"--sensor"_s, u"HL-G203B-S-MK"_s, u"--rtu"_s, path});
+    QVERIFY(process.waitForFinished(20'000));
+    QCOMPARE(process.exitCode(), 1);
+    QCOMPARE(process.readAllStandardOutput(), QByteArray());
+    const QString message = QString::fromUtf8(process.readAllStandardError());
+    QVERIFY2(message.contains(path) && message.contains(u"no link of an emulator"_s), qPrintable(message));
+    QCOMPARE(QFileInfo(path).size(), 8);
+}
+
+void EmulatorProgramTest::sensorsWithTheSameLinkShareALine()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"bus.json"_s);
+    writeFile(path, R"({"sensors": [{"sensor": "HL-G203B-S-MK", "rtu": "line", "unit": 1, "modbusPort": 0},
+                                    {"sensor": "HL-G205B-S-MK", "rtu": "./line", "unit": 2},
+                                    {"sensor": "HL-G205B-S-MK", "rtu": "other", "answeringTimeMs": 5}]})");
+    Emulator emulator({u"--config"_s, path});
+    const QJsonArray sensors = emulator.ready().value("sensors"_L1).toArray();
+    QVERIFY2(sensors.size() == 3, emulator.errors());
+    QCOMPARE(sensors.at(0).toObject().value("rtu"_L1).toString(), folder.filePath(u"line"_s));
+    QCOMPARE(sensors.at(1).toObject().value("rtu"_L1).toString(), folder.filePath(u"line"_s));
+    QCOMPARE(sensors.at(2).toObject().value("rtu"_L1).toString(), folder.filePath(u"other"_s));
+    QVERIFY(QFileInfo(folder.filePath(u"line"_s)).canonicalFilePath() !=
+            QFileInfo(folder.filePath(u"other"_s)).canonicalFilePath());
+}
+
+void EmulatorProgramTest::theUnitIsSavedOnlyWhenItIsSaved()
+{
+    const QTemporaryDir folder;
+    const QString state = folder.filePath(u"state.json"_s);
+    const QStringList arguments{
+        u"--sensor"_s, u"HL-G203B-S-MK"_s, u"--modbus-port"_s,        u"0"_s, u"--state"_s,
+        state,         u"--rtu"_s,         folder.filePath(u"line"_s)};
+    const QByteArray readAddress = "0001 0000 0006 01 03 00a8 0001"; // 400169
+    {
+        Emulator emulator(arguments + QStringList{u"--unit"_s, u"42"_s});
+        const quint16 modbus = port(emulator.ready(), "modbusPort"_L1);
+        QCOMPARE(ask(modbus, readAddress).right(2), QByteArray::fromHex("002a"));
+        QVERIFY(!QFile::exists(state));
+        QVERIFY(!ask(modbus, "0001 0000 0006 01 06 0035 0000").isEmpty()); // save
+        QCOMPARE(emulator.endWith(SIGTERM), 0);
+    }
+    const Emulator again(arguments);
+    QCOMPARE(ask(port(again.ready(), "modbusPort"_L1), readAddress).right(2), QByteArray::fromHex("002a"));
+}
+
 void EmulatorProgramTest::aConfigurationFileStartsSeveralSensors()
 {
     const QTemporaryDir folder;
@@ -234,6 +310,18 @@ void EmulatorProgramTest::wrongConfigurationFilesNameTheField_data()
     QTest::newRow("later version")
         << QByteArray(R"({"sensors": [{"sensor": "HL-G203B-S-MK", "modbusPort": 0, "slmpPort": 0}]})")
         << u"sensors[0].slmpPort: is not in this version"_s;
+    const auto withLine = [](const char* fields) {
+        return QByteArray(R"({"sensors": [{"sensor": "HL-G203B-S-MK", )") + fields + "}]}";
+    };
+    QTest::newRow("unit without a line") << withLine(R"("modbusPort": 0, "unit": 2)") << u"belong to rtu"_s;
+    QTest::newRow("answering without a line")
+        << withLine(R"("modbusPort": 0, "answeringTimeMs": 2)") << u"belong to rtu"_s;
+    QTest::newRow("unit of all") << withLine(R"("rtu": "line", "unit": 0)") << u"sensors[0].unit"_s;
+    QTest::newRow("unit too large") << withLine(R"("rtu": "line", "unit": 248)") << u"sensors[0].unit"_s;
+    QTest::newRow("unit a text") << withLine(R"("rtu": "line", "unit": "2")") << u"sensors[0].unit"_s;
+    QTest::newRow("negative answering time")
+        << withLine(R"("rtu": "line", "answeringTimeMs": -1)") << u"sensors[0].answeringTimeMs"_s;
+    QTest::newRow("line a number") << withLine(R"("rtu": 1)") << u"sensors[0].rtu"_s;
     QTest::newRow("one state for two")
         << QByteArray(R"({"sensors": [{"sensor": "HL-G203B-S-MK", "modbusPort": 0, "state": "a"},
                                       {"sensor": "HL-G203B-S-MK", "modbusPort": 0, "state": "./a"}]})")

@@ -28,12 +28,13 @@ public:
     SerialClient& operator=(const SerialClient&) = delete;
 
     bool isOpen() const { return m_descriptor >= 0; }
-    /// As serial port libraries do.
-    void configure(speed_t speed, catalog::LineParity parity)
+    /// As serial port libraries do; false when the system refuses it.
+    bool configure(speed_t speed, catalog::LineParity parity)
     {
         termios settings = {};
         ::tcgetattr(m_descriptor, &settings);
         settings.c_cflag &= ~tcflag_t(PARENB | PARODD | CSTOPB);
+        settings.c_cflag |= CLOCAL | CREAD;
         if (parity == catalog::LineParity::None)
             settings.c_cflag |= CSTOPB;
         else
@@ -41,7 +42,7 @@ public:
         if (parity == catalog::LineParity::Odd)
             settings.c_cflag |= PARODD;
         ::cfsetspeed(&settings, speed);
-        ::tcsetattr(m_descriptor, TCSANOW, &settings);
+        return ::tcsetattr(m_descriptor, TCSANOW, &settings) == 0;
     }
     bool send(const QByteArray& bytes)
     {

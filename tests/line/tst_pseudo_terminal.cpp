@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <sys/ioctl.h>
 
 using namespace lds::emulator;
 using namespace Qt::StringLiterals;
@@ -25,6 +26,8 @@ private Q_SLOTS:
     void seesTheClientsSettings_data();
     void seesTheClientsSettings();
     void aSpeedThatIsNoneIsNotTold();
+    void theSameSettingsAreTakenFromTheNextClient();
+    void aClientThatWasKilledLeavesNothingBehind();
     void survivesClientsThatComeAndGo();
     void aClientThatLeavesAtOnceIsHeard();
     void whatAClientDidNotReadIsNotForTheNext();
@@ -128,6 +131,38 @@ void PseudoTerminalTest::aSpeedThatIsNoneIsNotTold()
     SerialClient client(path());
     client.configure(B0, LineParity::Even);
     QCOMPARE(m_terminal->clientSettings(), std::nullopt);
+}
+
+void PseudoTerminalTest::theSameSettingsAreTakenFromTheNextClient()
+{
+    open();
+    for (int time = 0; time < 3; ++time) {
+        {
+            SerialClient client(path());
+            QVERIFY(client.configure(B38400, LineParity::Even)); // refused where it would change nothing
+            QVERIFY(client.send("x"));
+            QTRY_COMPARE(m_received, QByteArray(time + 1, 'x'));
+        }
+        if (time > 0) // and from one that comes before the last is known to have left
+            QTRY_VERIFY(!m_terminal->isOpen());
+    }
+}
+
+/// One that had the port for itself, as serial port libraries do, and could not give it back.
+void PseudoTerminalTest::aClientThatWasKilledLeavesNothingBehind()
+{
+    open();
+    {
+        SerialClient client(path());
+        QCOMPARE(::ioctl(client.descriptor(), TIOCEXCL), 0);
+        client.send("x");
+        QTRY_COMPARE(m_received, QByteArray("x"));
+    }
+    std::unique_ptr<SerialClient> next;
+    QTRY_VERIFY((next = std::make_unique<SerialClient>(path()))->isOpen()); // root may at once
+    next->send("y");
+    QTRY_COMPARE(m_received, QByteArray("xy"));
+    QCOMPARE(QFileInfo(path()).canonicalFilePath(), m_terminal->device());
 }
 
 void PseudoTerminalTest::survivesClientsThatComeAndGo()
