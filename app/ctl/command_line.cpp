@@ -40,8 +40,9 @@ QString helpText()
         "  monitor   prints a line for every measurement\n"
         "\n"
         "Options\n"
-        "  -c, --connection URL   the sensor, such as modbus-tcp://192.168.1.6:502; add\n"
-        "                         ?sensor=HL-G203B-S-MK to say its type, ?view=only to never write\n"
+        "  -c, --connection URL   the sensor, such as modbus-tcp://192.168.1.6:502 or\n"
+        "                         \"modbus-rtu:/dev/ttyUSB0?baud=38400&parity=even&stop=1&unit=1\"; add\n"
+        "                         sensor=HL-G203B-S-MK to say its type, view=only to never write\n"
         "  --json                 results as JSON with stable keys and numbers in wire units\n"
         "  --family NAME          catalog: the sensor family (hl-g2)\n"
         "  --save                 set: save in the sensor afterwards, so that it outlasts power-off;\n"
@@ -134,9 +135,11 @@ private:
         if (m_line.verb == Verb::Catalog)
             return urls.isEmpty() ? Step() : wrong(Texts::tr("catalog needs no sensor: leave -c out."));
         if (urls.size() != 1)
-            return wrong(urls.isEmpty()
-                             ? Texts::tr("%1 needs a sensor: -c modbus-tcp://ADDRESS:PORT.").arg(verbName())
-                             : Texts::tr("-c is given more than once; one sensor at a time."));
+            return wrong(
+                urls.isEmpty()
+                    ? Texts::tr("%1 needs a sensor: -c modbus-tcp://ADDRESS:PORT or -c modbus-rtu:PORT.")
+                          .arg(verbName())
+                    : Texts::tr("-c is given more than once; one sensor at a time."));
         const auto url = ports::parseConnectionUrl(urls.first());
         if (!url) {
             return wrong(Texts::tr("-c %1: the %2 “%3” is wrong; expected %4.")
