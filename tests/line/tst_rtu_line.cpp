@@ -14,6 +14,8 @@ private Q_SLOTS:
 
     void answersEveryFunction_data();
     void answersEveryFunction();
+    void everyRegisterAndCoilIsThatOfModbusTcp();
+    void sixteenUnitsShareALine();
     void aWrongCrcIsNotAnswered();
     void aShortOrLongMessageIsNotAnswered();
     void onlyTheUnitAddressedAnswers();
@@ -67,6 +69,35 @@ void RtuLineTest::answersEveryFunction()
     add(1);
     sensor().placeWorkpiece(0);
     QCOMPARE(ask(request).toHex(), answer.toHex());
+}
+
+/// §6.3.3 and §6.3.4 list what §5.2.4 and §5.2.5 do.
+void RtuLineTest::everyRegisterAndCoilIsThatOfModbusTcp()
+{
+    add(1);
+    sensor().placeWorkpiece(0);
+    ModbusResponder tcp(sensor());
+    const auto pdu = [](const char* function, int address) {
+        return hex(function) + word(address) + word(1);
+    };
+    for (int address = 0; address < 200; ++address) {
+        const QByteArray readRegister = pdu("03", address);
+        QCOMPARE(ask(frame(1, readRegister)), frame(1, tcp.answer(readRegister)));
+        const QByteArray readCoil = pdu("01", address);
+        QCOMPARE(ask(frame(1, readCoil)), frame(1, tcp.answer(readCoil)));
+    }
+}
+
+void RtuLineTest::sixteenUnitsShareALine()
+{
+    for (int address = 1; address <= 16; ++address)
+        add(address);
+    for (int address = 16; address >= 1; --address) {
+        QCOMPARE(ask(writeRegister(address, 400110, 100 + address)),
+                 writeRegister(address, 400110, 100 + address));
+    }
+    for (int address = 1; address <= 16; ++address)
+        QCOMPARE(ask(readRegisters(address, 400110, 1)), frame(address, hex("03 02") + word(100 + address)));
 }
 
 void RtuLineTest::aWrongCrcIsNotAnswered()
