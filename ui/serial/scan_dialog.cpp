@@ -262,9 +262,9 @@ void ScanDialog::finished(ScanEnd end, const QString& detail)
     switch (end) {
     case ScanEnd::PortFailed:
         m_progress->hide();
-        say(tr("%1 cannot be used: %2. Check that the adapter is plugged in, that no other program has the "
+        say(tr("%1 cannot be used%2. Check that the adapter is plugged in, that no other program has the "
                "port, and that you may use it.")
-                .arg(m_scannedPort, detail),
+                .arg(m_scannedPort, detail.isEmpty() ? QString() : tr(": %1").arg(detail)),
             true);
         return m_port->setFocus();
     case ScanEnd::Cancelled:

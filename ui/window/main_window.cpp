@@ -435,8 +435,14 @@ void MainWindow::openChangeCommunication()
         return;
     d->changeDialog = new ChangeCommunicationDialog(*d->session, d->workspace, *d->links, d->scheduler, this);
     connect(d->changeDialog, &ChangeCommunicationDialog::moved, this,
-            [this](const ports::ConnectionUrl& url) {
-                RecentConnections(d->settings).add({url, {}});
+            [this, former = d->session->url()](const ports::ConnectionUrl& url) {
+                RecentConnections recent(d->settings);
+                QString name;
+                for (const RecentConnection& each : recent.list()) {
+                    if (sensor::isSameSensor(each.url, former))
+                        name = each.name;
+                }
+                recent.add({url, name});
             });
     d->changeDialog->open();
 }
