@@ -34,6 +34,19 @@ private Q_SLOTS:
             QCOMPARE(policy.nextDelayMs(OpenFailure::NotReady), 500);
     }
 
+    void anUnpluggedAdapterIsLookedForQuicklyAndAWrongPortSlowly()
+    {
+        ReconnectPolicy policy(500, 8000);
+        for (int i = 0; i < 5; ++i) {
+            QCOMPARE(policy.nextDelayMs(OpenFailure::PortGone), 500);
+            QCOMPARE(policy.nextDelayMs(OpenFailure::NoSuchPort), 500);
+        }
+        QCOMPARE(policy.nextDelayMs(OpenFailure::PortNotPermitted), 8000);
+        QCOMPARE(policy.nextDelayMs(OpenFailure::PortUnusable), 8000);
+        QCOMPARE(policy.nextDelayMs(OpenFailure::PortSettingsDiffer), 8000);
+        QCOMPARE(policy.nextDelayMs(OpenFailure::PortBusy), 500); // Somebody may be about to end the other.
+    }
+
     void theRateLooksBackOneSecond()
     {
         MeasurementRate rate;
