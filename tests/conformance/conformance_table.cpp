@@ -192,7 +192,8 @@ void Reader::readTests(Statement& statement, const QString& cell)
 
 const QStringList& statementPlaces()
 {
-    static const QStringList places{u"virtual sensor"_s, u"front panel"_s, u"Modbus server"_s, u"catalog"_s};
+    static const QStringList places{u"virtual sensor"_s, u"front panel"_s, u"Modbus server"_s,
+                                    u"RS-485 line"_s, u"catalog"_s};
     return places;
 }
 

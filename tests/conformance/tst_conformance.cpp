@@ -11,7 +11,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// The sections of chapters 4, 5.1 and 5.2 that state something of their own, as the manual numbers them.
+/// The sections of chapters 4, 5.1, 5.2 and 6 that state something of their own, as the manual numbers them.
 const QStringList& sections()
 {
     static const QStringList all{

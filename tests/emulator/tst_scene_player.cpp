@@ -301,7 +301,8 @@ void ScenePlayerTest::manyEdgesInALongStallEndInTheRightState()
     StallingClock clock;
     auto station = SensorStation::start({}, clock);
     QVERIFY(station.has_value());
-    (*station)->player().play(sceneWith(R"(, "faults": [{"fault": "inMenu", "atMs": 0, "forMs": 1, "everyMs": 2}])"));
+    (*station)->player().play(
+        sceneWith(R"(, "faults": [{"fault": "inMenu", "atMs": 0, "forMs": 1, "everyMs": 2}])"));
     for (const qint64 stall : {86'400'000LL, 86'400'001LL}) { // a day
         clock.stallMs(stall);
         (*station)->player().follow();
