@@ -16,6 +16,7 @@ RtuLine::RtuLine(LineTerminal& terminal, EmulatorClock& clock)
 void RtuLine::attach(RtuUnit& unit)
 {
     m_units.append(&unit);
+    unit.answerGone(); // what it owed another line before will never be sent
     connect(&unit, &RtuUnit::fellSilent, this, [this, unit = &unit] { dropAnswer(unit); });
     connect(&unit, &QObject::destroyed, this, [this, unit = &unit] { detach(unit); });
 }

@@ -147,6 +147,11 @@ class SerialFlow : public QObject {
             index, [item](SensorStation& station) { return station.sensor().savedMemory().value(item); });
     }
 
+    int writes(std::size_t index)
+    {
+        return m_line->ask(index, [](SensorStation& station) { return station.sensor().totalWriteCount(); });
+    }
+
 private Q_SLOTS:
     void initTestCase()
     {
@@ -183,6 +188,31 @@ private Q_SLOTS:
         type(find<QLineEdit>(connect, "units"), u"1"_s);
         QTest::keyClick(connect, Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(m_w->workspace.current() && m_w->workspace.current()->isReady(), 20'000);
+    }
+
+    void anAdapterPulledOutAndBackIsConnectedByItself()
+    {
+        makeLine({1, 3});
+        connectUnits(u"1, 3"_s, 2);
+        auto* first = m_w->workspace.sessions().first();
+        auto* second = m_w->workspace.sessions().last();
+        first->edit({{ItemId::HighSetValue, 17'500}});
+        const int written = writes(0);
+        m_line->unplug();
+        for (const auto* session : {first, second}) {
+            QTRY_COMPARE_WITH_TIMEOUT(session->connection(), sensor::Connection::Reconnecting, 20'000);
+            QTRY_VERIFY(session->linkReport().failure != ports::OpenFailure::None);
+        }
+        QVERIFY(first->pending().find(ItemId::HighSetValue)); // nothing entered is lost
+        m_line->plugIn();
+        for (const auto* session : {first, second}) {
+            QTRY_VERIFY_WITH_TIMEOUT(session->isReady(), 60'000);
+            const qint64 before = session->trend().lastNs();
+            QTRY_VERIFY_WITH_TIMEOUT(session->trend().lastNs() > before, 20'000);
+        }
+        // Reconnecting reads and never writes.
+        QVERIFY(first->pending().find(ItemId::HighSetValue));
+        QCOMPARE(writes(0), written);
     }
 
     void aScanFindsSensorsTellsTwoUnitsAndAddsThem()

@@ -45,14 +45,33 @@ public:
         return answer;
     }
 
-private:
-    void build(const QList<quint8>& units)
+    /// The adapter is pulled out: the port is gone, and whoever has it open is told so. The sensors go on.
+    void unplug()
     {
-        m_clock = std::make_unique<emulator::SystemClock>();
+        onLine([this] { m_port.reset(); });
+    }
+    /// The adapter is back under its name, with the same sensors on its line.
+    void plugIn()
+    {
+        onLine([this] {
+            openPort();
+            for (const auto& station : m_stations)
+                m_port->line().attach(station->rtuUnit());
+        });
+    }
+
+private:
+    void openPort()
+    {
         auto opened = emulator::RtuPort::open(port(), *m_clock);
         if (!opened)
             qFatal("no line: %s", qPrintable(opened.error()));
         m_port = std::move(*opened);
+    }
+    void build(const QList<quint8>& units)
+    {
+        m_clock = std::make_unique<emulator::SystemClock>();
+        openPort();
         for (const quint8 unit : units) {
             emulator::StationOptions options;
             options.unit = unit;

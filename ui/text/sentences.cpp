@@ -128,12 +128,9 @@ QString openFailureSentence(const ports::LinkReport& report, const ports::Connec
                              "itself.")
             .arg(where);
     case ports::OpenFailure::NoSuchPort:
-        return Sentences::tr("There is no port %1. Plug the adapter in; it is then connected by itself. If "
-                             "it is plugged in, check the name.")
-            .arg(url.host);
+        return Sentences::tr("There is no port %1. Plug the adapter in, or check the name.").arg(url.host);
     case ports::OpenFailure::PortBusy:
-        return Sentences::tr("Another program is using the port %1. End it; the connection is tried again by "
-                             "itself.")
+        return Sentences::tr("Another program is using the port %1. End that program, then try again.")
             .arg(url.host);
     case ports::OpenFailure::PortNotPermitted:
         return Sentences::tr("You are not allowed to open the port %1. On Linux, have your account added to "
