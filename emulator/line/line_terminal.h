@@ -16,7 +16,7 @@ class LineTerminal : public QObject {
 public:
     using QObject::QObject;
 
-    /// What the client has set, now; nothing when it has set no speed at all.
+    /// What the client has set, now; nothing when that is no speed.
     virtual std::optional<LineSettings> clientSettings() const = 0;
     /// Lost when nobody is there to receive them.
     virtual void send(const QByteArray& bytes) = 0;

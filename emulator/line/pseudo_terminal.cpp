@@ -38,8 +38,12 @@ struct Speed {
     speed_t code;
     int bitsPerSecond;
 };
+/// A speed that nobody uses: the client has not set any. It counts as the one a sensor is delivered with, so
+/// that a program which takes the terminal for a plain file is heard.
+constexpr speed_t neverSet = B134;
 /// Those a sensor may have, and their neighbours.
-constexpr std::array<Speed, 12> speeds{{{B1200, 1200},
+constexpr std::array<Speed, 13> speeds{{{neverSet, LineSettings().speed},
+                                        {B1200, 1200},
                                         {B2400, 2400},
                                         {B4800, 4800},
                                         {B9600, 9600},
@@ -86,14 +90,14 @@ bool isSame(const termios& one, const termios& other)
            one.c_lflag == other.c_lflag && ::cfgetospeed(&one) == ::cfgetospeed(&other);
 }
 
-/// As a client finds it: raw, without echo, at a speed that no sensor has, and as a modem's line. Each client
+/// As a client finds it: raw, without echo, at no speed of its own, and as a modem's line. Each client
 /// changes the last two. The C library refuses settings with parity, which a pseudo-terminal cannot have,
 /// when they change nothing else.
 termios asFound(termios terminal)
 {
     ::cfmakeraw(&terminal);
     terminal.c_cflag &= ~tcflag_t(CLOCAL | PARODD | CSTOPB);
-    ::cfsetspeed(&terminal, B1200);
+    ::cfsetspeed(&terminal, neverSet);
     return terminal;
 }
 

@@ -26,6 +26,7 @@ private Q_SLOTS:
     void seesTheClientsSettings_data();
     void seesTheClientsSettings();
     void aSpeedThatIsNoneIsNotTold();
+    void aClientThatSetsNothingSpeaksAsASensorIsDelivered();
     void theSameSettingsAreTakenFromTheNextClient();
     void aClientThatWasKilledLeavesNothingBehind();
     void survivesClientsThatComeAndGo();
@@ -131,6 +132,23 @@ void PseudoTerminalTest::aSpeedThatIsNoneIsNotTold()
     SerialClient client(path());
     client.configure(B0, LineParity::Even);
     QCOMPARE(m_terminal->clientSettings(), std::nullopt);
+}
+
+void PseudoTerminalTest::aClientThatSetsNothingSpeaksAsASensorIsDelivered() // §6.2
+{
+    open();
+    for (int time = 0; time < 2; ++time) {
+        {
+            const SerialClient client(path());
+            QCOMPARE(m_terminal->clientSettings(), std::optional(LineSettings{38'400, LineParity::Even}));
+            SerialClient other(path());
+            other.configure(B9600, LineParity::None);
+            QCOMPARE(m_terminal->clientSettings(), std::optional(LineSettings{9'600, LineParity::None}));
+            QVERIFY(other.send("x"));
+            QTRY_COMPARE(m_received, QByteArray(time + 1, 'x'));
+        }
+        QTRY_VERIFY(!m_terminal->isOpen()); // and the next one begins anew
+    }
 }
 
 void PseudoTerminalTest::theSameSettingsAreTakenFromTheNextClient()
