@@ -1,37 +1,17 @@
-#include "main_window.h"
+#include "main_window_private.h"
 
-#include "banner_area.h"
-#include "change_communication_dialog.h"
-#include "command_desk.h"
-#include "connect_dialog.h"
-#include "empty_page.h"
 #include "leave_question.h"
-#include "messages_page.h"
-#include "readout.h"
-#include "review_dialog.h"
-#include "scan_dialog.h"
 #include "sensors_panel.h"
-#include "session_notices.h"
-#include "settings_page.h"
-#include "status_line.h"
 #include "theme.h"
-#include "tool_row.h"
-#include "trend_page.h"
-#include "window_actions.h"
 
 #include <QAction>
 #include <QActionGroup>
 #include <QCloseEvent>
-#include <QDockWidget>
-#include <QInputDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QSettings>
-#include <QStackedWidget>
 #include <QTabBar>
-#include <QTabWidget>
 #include <QVBoxLayout>
 
 namespace lds::ui {
@@ -46,36 +26,6 @@ const QString stateKey = QStringLiteral("window/state");
 const QString themeKey = QStringLiteral("view/theme");
 constexpr int stateVersion = 1;
 } // namespace
-
-struct MainWindow::Private {
-    sensor::Workspace& workspace;
-    MessageLog& log;
-    ports::Scheduler& scheduler;
-    QSettings& settings;
-    QPointer<SensorSession> session = nullptr;
-    WindowActions* actions = nullptr;
-    CommandDesk* desk = nullptr;
-    ToolRow* tools = nullptr;
-    QDockWidget* dock = nullptr;
-    Readout* readout = nullptr;
-    BannerArea* banners = nullptr;
-    SessionNotices* notices = nullptr;
-    QStackedWidget* stack = nullptr;
-    QTabWidget* tabs = nullptr;
-    SettingsPage* settingsPage = nullptr;
-    TrendPage* trendPage = nullptr;
-    MessagesPage* messagesPage = nullptr;
-    EmptyPage* emptyPage = nullptr;
-    StatusLine* status = nullptr;
-    QPointer<ConnectDialog> connectDialog = nullptr;
-    QPointer<ReviewDialog> reviewDialog = nullptr;
-    QPointer<ScanDialog> scanDialog = nullptr;
-    QPointer<ChangeCommunicationDialog> changeDialog = nullptr;
-    const ports::SerialPorts* serialPorts = nullptr;
-    ports::BusScanFactory* scans = nullptr;
-    ports::LinkFactory* links = nullptr;
-    bool leaving = false; ///< The person has been asked.
-};
 
 MainWindow::MainWindow(sensor::Workspace& workspace, MessageLog& log, ports::Scheduler& scheduler,
                        QSettings& settings)
@@ -397,15 +347,6 @@ void MainWindow::jumpTo(ItemId item)
     d->settingsPage->showItem(item);
 }
 
-void MainWindow::openConnectDialog()
-{
-    if (d->connectDialog)
-        return;
-    d->connectDialog = new ConnectDialog(d->workspace, RecentConnections(d->settings), d->serialPorts, this);
-    connect(d->connectDialog, &ConnectDialog::scanRequested, this, &MainWindow::openScan);
-    d->connectDialog->open();
-}
-
 void MainWindow::setSerial(const ports::SerialPorts& ports, ports::BusScanFactory& scans,
                            ports::LinkFactory& links)
 {
@@ -416,47 +357,6 @@ void MainWindow::setSerial(const ports::SerialPorts& ports, ports::BusScanFactor
     updateActions();
 }
 
-void MainWindow::openScan(const QString& port)
-{
-    if (!d->scans || d->scanDialog)
-        return;
-    d->scanDialog = new ScanDialog(d->workspace, d->serialPorts, *d->scans, d->scheduler, this);
-    if (!port.isEmpty())
-        d->scanDialog->setPort(port);
-    connect(d->scanDialog, &ScanDialog::sensorAdded, this, [this](const ports::ConnectionUrl& url) {
-        RecentConnections(d->settings).add({url, {}});
-    });
-    d->scanDialog->open();
-}
-
-void MainWindow::openChangeCommunication()
-{
-    if (!d->session || !d->links || d->changeDialog)
-        return;
-    d->changeDialog = new ChangeCommunicationDialog(*d->session, d->workspace, *d->links, d->scheduler, this);
-    connect(d->changeDialog, &ChangeCommunicationDialog::moved, this,
-            [this, former = d->session->url()](const ports::ConnectionUrl& url) {
-                RecentConnections recent(d->settings);
-                QString name;
-                for (const RecentConnection& each : recent.list()) {
-                    if (sensor::isSameSensor(each.url, former))
-                        name = each.name;
-                }
-                recent.add({url, name});
-            });
-    d->changeDialog->open();
-}
-
-void MainWindow::openReview()
-{
-    if (!d->session || d->reviewDialog || !finishEditing())
-        return;
-    d->reviewDialog = new ReviewDialog(*d->session, this);
-    connect(d->reviewDialog, &ReviewDialog::jumpRequested, this, &MainWindow::jumpTo);
-    connect(d->reviewDialog, &ReviewDialog::applied, d->status, &StatusLine::say);
-    d->reviewDialog->open();
-}
-
 bool MainWindow::finishEditing()
 {
     if (d->settingsPage->finishEditing())
@@ -465,48 +365,9 @@ bool MainWindow::finishEditing()
     return false;
 }
 
-void MainWindow::openRename()
-{
-    if (!d->session)
-        return;
-    auto* dialog = new QInputDialog(this);
-    dialog->setObjectName(QStringLiteral("renameDialog"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(tr("Rename"));
-    dialog->setLabelText(tr("Name of the sensor at %1:").arg(d->session->url().place()));
-    dialog->setTextValue(d->session->name());
-    connect(dialog, &QInputDialog::textValueSelected, d->session, &SensorSession::setName);
-    dialog->open();
-}
-
-void MainWindow::removeCurrent()
-{
-    if (!d->session)
-        return;
-    const QPointer<SensorSession> session = d->session;
-    askBeforeLeaving(this, {session}, tr("Remove %1 from the list?").arg(session->name()), tr("Remove"),
-                     [this, session] {
-                         if (session)
-                             d->workspace.remove(session);
-                     });
-}
-
 void MainWindow::chooseType()
 {
     d->actions->typeMenu()->popup(d->banners->mapToGlobal(d->banners->rect().bottomLeft()));
-}
-
-void MainWindow::showAbout()
-{
-    auto* box =
-        new QMessageBox(QMessageBox::NoIcon, tr("About LDS Studio"),
-                        tr("LDS Studio %1").arg(QStringLiteral(LDS_VERSION)), QMessageBox::Close, this);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setInformativeText(
-        tr("Open configuration tool for laser displacement sensors.\nFree software under the GNU "
-           "General Public License, version 3 or later, without any warranty.\nQt %1")
-            .arg(QLatin1StringView(qVersion())));
-    box->open();
 }
 
 void MainWindow::restore()
