@@ -32,11 +32,7 @@ QList<int> serialSpeeds()
 
 std::optional<catalog::Value> speedCode(int baud) { return catalog::lineSpeedCode(baud); }
 
-// The two enumerations list the same three.
-catalog::Value parityCode(SerialParity parity)
-{
-    return catalog::lineParityCode(catalog::LineParity(quint8(parity)));
-}
+catalog::Value parityCode(SerialParity parity) { return catalog::lineParityCode(parity); }
 
 std::optional<SerialSettings> serialSettingsOf(catalog::Value speedCode, catalog::Value parityCode)
 {
@@ -44,7 +40,7 @@ std::optional<SerialSettings> serialSettingsOf(catalog::Value speedCode, catalog
     const auto parity = catalog::lineParity(parityCode);
     if (!speed || !parity)
         return std::nullopt;
-    return SerialSettings{*speed, SerialParity(quint8(*parity))};
+    return SerialSettings{*speed, *parity};
 }
 
 QList<SerialSettings> everySerialSettings()

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "serial_codes.h"
+
 #include <QMetaType>
 #include <QtGlobal>
 
 namespace lds::ports {
 
-enum class SerialParity : quint8 { None, Even, Odd };
+using SerialParity = catalog::LineParity; ///< None, Even, Odd: the sensor's own three.
 
 /// How characters go over an RS-485 line of HL-G2 sensors (§6.2). Eight data bits always.
 struct SerialSettings {

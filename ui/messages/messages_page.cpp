@@ -5,6 +5,7 @@
 #include "message_export.h"
 #include "message_model.h"
 #include "message_text.h"
+#include "save_dialog.h"
 #include "theme.h"
 
 #include <optional>
@@ -12,7 +13,6 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
-#include <QDateTime>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -417,18 +417,7 @@ QString MessagesPage::copyText() const
 
 void MessagesPage::Private::askWhereToSave()
 {
-    auto* dialog = new QFileDialog(&q, MessagesPage::tr("Save messages"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilters(
-        {MessagesPage::tr("Table (*.csv)"), MessagesPage::tr("Text, tab separated (*.txt)")});
-    dialog->setDefaultSuffix(QStringLiteral("csv"));
-    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
-        dialog->setDefaultSuffix(filter.contains(QStringLiteral("*.txt")) ? QStringLiteral("txt")
-                                                                          : QStringLiteral("csv"));
-    });
-    dialog->selectFile(QStringLiteral("messages-%1")
-                           .arg(QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"))));
+    QFileDialog* dialog = makeSaveDialog(&q);
     QObject::connect(dialog, &QFileDialog::fileSelected, &q, [this](const QString& path) { q.saveTo(path); });
     dialog->open();
 }
