@@ -148,6 +148,7 @@ void ConnectionForm::buildCommon()
     m_url = new QLabel(this);
     m_url->setObjectName(QStringLiteral("url"));
     m_url->setProperty("muted", true);
+    m_url->setWordWrap(true); // "and 1 more" goes below rather than out of sight
     m_url->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long one makes no wide window
     m_url->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_url->setAccessibleName(tr("The connection as a URL"));

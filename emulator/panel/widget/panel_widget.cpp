@@ -137,6 +137,9 @@ QWidget* PanelWidget::makePairRow()
 void PanelWidget::addPair(QBoxLayout* row, Key first, Key second, const QString& tip)
 {
     auto* button = new QToolButton(this);
+    // Where tool buttons are flat it would look like a word.
+    button->setStyleSheet(
+        u"QToolButton { border: 1px solid palette(mid); border-radius: 4px; padding: 3px 6px; }"_s);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     button->setObjectName(u"%1+%2"_s.arg(nameOf(first), nameOf(second)));
     button->setText(button->objectName());
