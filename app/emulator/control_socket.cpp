@@ -92,6 +92,7 @@ void ControlSocket::read(QLocalSocket* socket, LineSplitter& splitter)
             return;
         }
     }
+    socket->flush(); // a client that has sent its last line gets its answers all the same
 }
 
 } // namespace lds::app
